@@ -98,7 +98,9 @@ class _Verb:
 @cache
 def _public(name: str) -> Any:
     act = getattr(import_module(_HOME[name]), name)
-    return type(f"function {name}", (_Verb,), {})(act, f"{__name__}.{name}") if name in _ROOMS else act
+    if name in _ROOMS:
+        return type(f"function {name}", (_Verb,), {})(act, f"{__name__}.{name}")
+    return act
 
 
 class _Face(ModuleType):

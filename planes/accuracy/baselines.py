@@ -48,11 +48,9 @@ class Loops:
     def drive_position(self, q: Array) -> float:
         """The drive's position in a pose."""
         pair = self.plans.structure.drive_pair
-        return (
-            self.pose_of_link(q, pair.link)[1] - self.pose_of_link(q, pair.other)[1]
-            if pair.kind == "R"
-            else self._slider_place_on_guide(q, pair).real
-        )
+        if pair.kind == "R":
+            return self.pose_of_link(q, pair.link)[1] - self.pose_of_link(q, pair.other)[1]
+        return self._slider_place_on_guide(q, pair).real
 
     def drive_target_in_loop_units(self, q: Array, value: float) -> float:
         """A position of the drive (degrees or m) in the units of the loops, with the pose's count of whole turns."""
@@ -106,7 +104,9 @@ class Loops:
 
     def _drive_slope(self, q: Array) -> Array:
         pair = self.plans.structure.drive_pair
-        return self._slider_slopes(q, pair)[0] if pair.kind == "P" else self._relative_rotation_derivative(q, pair)
+        if pair.kind == "P":
+            return self._slider_slopes(q, pair)[0]
+        return self._relative_rotation_derivative(q, pair)
 
     def _relative_rotation_derivative(self, q: Array, pair: Pair) -> Array:
         """The derivative of the relative rotation of a pair."""

@@ -78,7 +78,9 @@ class Curves:
             place = place - step
             if np.linalg.norm(step) < MOST_SETTLED_STEP:
                 sizes = np.linalg.svd(slopes, compute_uv=False)
-                return place if sizes[-1] > LEAST_INDEPENDENCE_RATIO * sizes[0] else None
+                if sizes[-1] > LEAST_INDEPENDENCE_RATIO * sizes[0]:
+                    return place
+                return None
         return None
 
     def curve_direction(self, place: Array) -> Array:

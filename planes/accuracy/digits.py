@@ -26,7 +26,9 @@ class Long(Arithmetic):
         """A given number in this arithmetic, without loss of digits."""
         if isinstance(x, complex):
             return self.mp.mpc(x)
-        return self.mp.mpf(x) if isinstance(x, float | int) and not isinstance(x, bool) else x
+        if isinstance(x, float | int) and not isinstance(x, bool):
+            return self.mp.mpf(x)
+        return x
 
     def sqrt(self, x: Real) -> Real:
         return self.mp.sqrt(x) if x > 0 else self.mp.zero

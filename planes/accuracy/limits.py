@@ -149,7 +149,9 @@ def find_nearest_limit(bench: Comparison) -> Limit | None:
 def similar_limit_of_path(limit: Limit, way: MovedGiven) -> Limit | None:
     """The nearest limit of another path, if it is of the same sort."""
     other = next(_limits_by_distance(way), None)
-    return other if other and (other.kind, other.side) == (limit.kind, limit.side) else None
+    if other and (other.kind, other.side) == (limit.kind, limit.side):
+        return other
+    return None
 
 
 def bluntest_drive_position(bench: Comparison) -> float:
@@ -250,4 +252,6 @@ def _undrawable_point_between(way: MovedGiven, low: float, high: float) -> Limit
 
 def _kind_of_single_point(way: MovedGiven, value: Real, step: float) -> Kind:
     """The kind of a single point between working positions."""
-    return "infinite" if way.has_point_far_away(value + LIMIT_NEIGHBOUR_OFFSET * step) else "change"
+    if way.has_point_far_away(value + LIMIT_NEIGHBOUR_OFFSET * step):
+        return "infinite"
+    return "change"

@@ -50,7 +50,9 @@ def approach_nearest_limit(plans: Plans, others: Sequence[OtherProgram] = ()) ->
     """The path to the limit nearest to the scene, with programs by ``others``; None where neither the drive nor any
     length or guide leads to one."""
     limit = find_nearest_limit(Comparison(plans))
-    return None if limit is None else _measure_approach(limit, others, *_paths_towards_limit(limit))
+    if limit is None:
+        return None
+    return _measure_approach(limit, others, *_paths_towards_limit(limit))
 
 
 def _paths_towards_limit(limit: Limit) -> tuple[Comparison, Array, Array]:

@@ -24,7 +24,9 @@ def _mechanism_with_changed_given(plans: Plans, name: str, value: float) -> Mech
     """The mechanism with a changed given."""
     m = plans.mechanism
     link = _changed_link(plans, name, value)
-    return replace(m, frame=link) if link.name == m.frame.name else replace(m, links={**m.links, link.name: link})
+    if link.name == m.frame.name:
+        return replace(m, frame=link)
+    return replace(m, links={**m.links, link.name: link})
 
 
 def names_of_changed_givens(old: Things, new: Things) -> list[str]:

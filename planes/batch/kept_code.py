@@ -34,7 +34,9 @@ def kept_object_file(name: str) -> bytes | None:
             data = file.read_bytes()
             os.utime(file)
             code = data[_DIGEST_BYTES:]
-            return code if sha256(code).digest() == data[:_DIGEST_BYTES] else None
+            if sha256(code).digest() == data[:_DIGEST_BYTES]:
+                return code
+            return None
     return None
 
 

@@ -90,7 +90,9 @@ class LoopText:
         if place in self.names:
             return self.names[place]
         value = self.tape.values[place]
-        return str(value).lower() if isinstance(value, bool) else llvm_number(value)
+        if isinstance(value, bool):
+            return str(value).lower()
+        return llvm_number(value)
 
     def write_operation(self, place: int) -> None:
         """One operation."""

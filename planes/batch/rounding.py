@@ -43,7 +43,9 @@ def rounding_error_of(tape: Tape, place: int, numbers: Values, integers: frozens
             np.spacing(np.abs(z)) / 2 + 2.0**-100 * sum(map(np.abs, given)) ** 2,
         )
     out = _is_always_exact(op, numbers[place], *(numbers[a] for a in args))
-    return None if np.all(out) else np.where(out, 0.0, np.spacing(np.abs(numbers[place])) / 2)
+    if np.all(out):
+        return None
+    return np.where(out, 0.0, np.spacing(np.abs(numbers[place])) / 2)
 
 
 def _is_always_exact(op: str, z: Array, *args: Array) -> Truth:

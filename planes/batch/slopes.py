@@ -50,7 +50,9 @@ SLOPE_FUNCTIONS: dict[str, Callable[..., Parts]] = {
 
 def slope_times_error(part: Floats, x: Array) -> Array:
     """A slope times the error it carries; a choice passes on the chosen argument, whatever the other is."""
-    return np.where(part, x, 0.0) if getattr(part, "dtype", None) is BOOLEAN_TYPE else part * x
+    if getattr(part, "dtype", None) is BOOLEAN_TYPE:
+        return np.where(part, x, 0.0)
+    return part * x
 
 
 class Carrying:

@@ -59,23 +59,29 @@ class Num:
         return 0.0
 
     def __neg__(self) -> Num:
-        return self.operation_arguments() if self.operation_name == "neg" else record_number(self.tape, "neg", self)
+        if self.operation_name == "neg":
+            return self.operation_arguments()
+        return record_number(self.tape, "neg", self)
 
     def __abs__(self) -> Num:
         if self.operation_name in ("abs", "hypot", "sqrt"):
             return self
-        return (
-            abs(self.operation_arguments()) if self.operation_name == "neg" else record_number(self.tape, "abs", self)
-        )
+        if self.operation_name == "neg":
+            return abs(self.operation_arguments())
+        return record_number(self.tape, "abs", self)
 
     def __add__(self, other: Operand) -> Point:
         if isinstance(other, Test):
             other = other.as_zero_or_one()
         if not _is_real_number(other):
-            return Vec(self, 0.0) + other if isinstance(other, Vec | complex) else NotImplemented
+            if isinstance(other, Vec | complex):
+                return Vec(self, 0.0) + other
+            return NotImplemented
         if isinstance(other, Num):
             return _recorded_sum(self, other)
-        return self if other == 0 else record_number(self.tape, "add", self, other)
+        if other == 0:
+            return self
+        return record_number(self.tape, "add", self, other)
 
     __radd__ = __add__
 
@@ -89,18 +95,24 @@ class Num:
 
     def __mul__(self, other: Operand) -> Point:
         if not _is_real_number(other):
-            return Vec(self, 0.0) * other if isinstance(other, Vec | complex) else NotImplemented
+            if isinstance(other, Vec | complex):
+                return Vec(self, 0.0) * other
+            return NotImplemented
         if isinstance(other, Num):
             return _recorded_product(self, other)
         if other in (0, 1, -1):
             return {0: 0.0, 1: self, -1: -self}[int(other)]
-        return -(-self * other) if self.operation_name == "neg" else record_number(self.tape, "mul", self, other)
+        if self.operation_name == "neg":
+            return -(-self * other)
+        return record_number(self.tape, "mul", self, other)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Operand) -> Point:
         if not _is_real_number(other):
-            return Vec(self, 0.0) / other if isinstance(other, Vec | complex) else NotImplemented
+            if isinstance(other, Vec | complex):
+                return Vec(self, 0.0) / other
+            return NotImplemented
         if not isinstance(other, Num):
             return self * (1 / other)
         return 1.0 if other.at == self.at else self * other.shared_inverse()
@@ -212,7 +224,9 @@ class Vec:
     def __abs__(self) -> Real:
         for one, other in ((self.real, self.imag), (self.imag, self.real)):
             if isinstance(one, float | int):
-                return abs(other) if one == 0 else record_number(other.tape, "hypot", other, one)
+                if one == 0:
+                    return abs(other)
+                return record_number(other.tape, "hypot", other, one)
         return record_number(self.real.tape, "hypot", self.real, self.imag)
 
 

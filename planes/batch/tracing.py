@@ -30,15 +30,21 @@ class Recording(Arithmetic):
         self.turns: list[int] = []  # places of the motion tests, and of their senses
 
     def sqrt(self, x: Real) -> Real:
-        return record_number(x.tape, "sqrt", x) if isinstance(x, Num) else super().sqrt(x)
+        if isinstance(x, Num):
+            return record_number(x.tape, "sqrt", x)
+        return super().sqrt(x)
 
     def maximum(self, a: Real, b: Real) -> Real:
         tape = _common_tape(a, b)
-        return record_number(tape, "max", a, b) if tape else super().maximum(a, b)
+        if tape:
+            return record_number(tape, "max", a, b)
+        return super().maximum(a, b)
 
     def minimum(self, a: Real, b: Real) -> Real:
         tape = _common_tape(a, b)
-        return record_number(tape, "min", a, b) if tape else super().minimum(a, b)
+        if tape:
+            return record_number(tape, "min", a, b)
+        return super().minimum(a, b)
 
     def where(self, ok: Truth, a: Point, b: Point) -> Point:
         if not isinstance(ok, Test):
@@ -81,7 +87,9 @@ class Recording(Arithmetic):
         return self.where(ahead, 1.0, self.where(x < 0, -1.0, x))
 
     def guess(self, x: Real) -> Real:
-        return record_number(x.tape, "floor", x * 2.0**40) * 2.0**-40 if isinstance(x, Num) else x
+        if isinstance(x, Num):
+            return record_number(x.tape, "floor", x * 2.0**40) * 2.0**-40
+        return x
 
     def power(self, x: Real, n: int) -> Real:
         return x**n if isinstance(x, Num) else super().power(x, n)
@@ -89,7 +97,9 @@ class Recording(Arithmetic):
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         parts = c.real, c.imag, d.real, d.imag, r, s
         tape = _common_tape(*parts)
-        return record_number(tape, "gap", *parts) if tape else super().gap(c, d, r, s)
+        if tape:
+            return record_number(tape, "gap", *parts)
+        return super().gap(c, d, r, s)
 
 
 def _common_tape(*numbers: Real) -> Tape | None:
@@ -127,13 +137,19 @@ class TracingTool(Tool):
         return super().draw(step, things)
 
     def mark(self, place: Point) -> Point:
-        return place + Vec(self._instrument_error(0), self._instrument_error(0)) if self.errors else place
+        if self.errors:
+            return place + Vec(self._instrument_error(0), self._instrument_error(0))
+        return place
 
     def transfer_direction(self, direction: Point) -> Point:
-        return direction * Vec(1.0, self._instrument_error(1)) if self.errors else direction
+        if self.errors:
+            return direction * Vec(1.0, self._instrument_error(1))
+        return direction
 
     def read_length(self, length_mm: Real) -> Real:
-        return length_mm + self._instrument_error(2) if self.errors else length_mm
+        if self.errors:
+            return length_mm + self._instrument_error(2)
+        return length_mm
 
     def _instrument_error(self, which: int) -> Num:
         assert self.errors

@@ -22,7 +22,8 @@ MARK_CELLS_PER_SIDE = 7  # five bits plus a black border on each side
 
 def corner_mark_centres(size_mm: tuple[float, float]) -> tuple[complex, complex, complex, complex]:
     """The centres, mm on the sheet, y up: lower left, lower right, upper right, upper left."""
-    (left, other), (w, h) = MARK_INSETS_MM, size_mm
+    left, other = MARK_INSETS_MM
+    w, h = size_mm
     return (complex(left, other), complex(w - other, other), complex(w - other, h - other), complex(left, h - other))
 
 
@@ -70,7 +71,8 @@ def pole_position(ends: list[complex]) -> complex:
 
     It is moved only as far as the right plan would otherwise leave the sheet or run under printed marks.
     """
-    (w, h), places = SHEET_MM, [0j, *ends]
+    w, h = SHEET_MM
+    places = [0j, *ends]
     across = _shifted_middle((LEFT_MARGIN_MM, w - OTHER_MARGIN_MM), [z.real for z in places])
     start = complex(across, _shifted_middle((OTHER_MARGIN_MM, h - OTHER_MARGIN_MM), [z.imag for z in places]))
     steps = range(-MOST_POLE_STEPS, MOST_POLE_STEPS + 1)
@@ -101,7 +103,8 @@ def _is_clear_of_print(pole: complex, places: Sequence[complex]) -> bool:
 
 def _shifted_middle(room: tuple[float, float], places: list[float]) -> float:
     """The middle of a range, shifted as little as needed to fit all points; points too far apart are centred."""
-    low, high = room[0] - min(places), room[1] - max(places)
+    low = room[0] - min(places)
+    high = room[1] - max(places)
     middle = (room[0] + room[1]) / 2
     if low > high:
         return POLE_STEP_MM * round((low + high) / 2 / POLE_STEP_MM)

@@ -60,7 +60,9 @@ class HandedSheet:
     def name(self) -> str:
         """The file name; it may hold any bytes."""
         plain = self.file.name.encode("utf-8", "replace").decode()
-        return plain if self.page is None else f"{Path(plain).stem}-{self.page}{self.file.suffix}"
+        if self.page is None:
+            return plain
+        return f"{Path(plain).stem}-{self.page}{self.file.suffix}"
 
     @property
     def is_exercise(self) -> bool:
@@ -89,7 +91,9 @@ def sheets_of(file: Path) -> list[HandedSheet]:
             count = _page_count(file, suffix)
     if count > MOST_PAGES:
         return [HandedSheet(file, MOST_PAGES + 1)]  # rejected on reading
-    return [HandedSheet(file)] if count < 2 else [HandedSheet(file, k + 1) for k in range(count)]
+    if count < 2:
+        return [HandedSheet(file)]
+    return [HandedSheet(file, k + 1) for k in range(count)]
 
 
 def _page_count(file: Path, suffix: str) -> int:
@@ -132,7 +136,8 @@ def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
 
 def read_sheet_marks(sheet: HandedSheet, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a sheet, or their manual corrections if these belong to this drawing; named after the sheet."""
-    file, paper = str(sheet.file), None
+    file = str(sheet.file)
+    paper = None
     if sheet.corrected_marks_file.is_file() and sheet.corrected_marks_file != sheet.file:
         with suppress(PlanesError):
             paper = read_paper(file, asked, known)
@@ -149,7 +154,9 @@ def content_hash_of(file: str, known: Known) -> str:
     """The hash of the content of a file or of a page; "" if it does not open."""
     with suppress(PlanesError):
         picture = open_picture(file, known.page)
-        return picture.pixel_hash if picture else hash_of_content(read_bounded_bytes(file, LARGEST_FILE_BYTES))
+        if picture:
+            return picture.pixel_hash
+        return hash_of_content(read_bounded_bytes(file, LARGEST_FILE_BYTES))
     return ""
 
 
@@ -226,10 +233,14 @@ def _read_lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
     pixels = known.pole is not None or known.marks or known.format
     match suffix:
         case ".pdf":
-            return None if known.pole is not None or known.format else read_pdf(file, known.page or 0)
+            if known.pole is not None or known.format:
+                return None
+            return read_pdf(file, known.page or 0)
         case ".png":
             return None if pixels else read_embedded_svg(file)
-    return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in VECTOR_SUFFIXES else None
+    if suffix in VECTOR_SUFFIXES:
+        return {".svg": read_svg, ".dxf": read_dxf}[suffix](file)
+    return None
 
 
 def _marks_from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
@@ -249,7 +260,8 @@ def _marks_from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPa
         doubt = misread_mark_share(sketch)
         paper.spots = with_pointed_marks([replace(s, doubt=max(doubt, s.doubt)) for s in paper.spots], pointed)
     drawn = drawn_motion_vectors(sketch, paper, bench)
-    paper.scale_mark, paper.signs = by, paper.signs or [*arrow_faults(drawn)]
+    paper.scale_mark = by
+    paper.signs = paper.signs or [*arrow_faults(drawn)]
     missing = [bench.vector_names[vector] for vector, one in drawn.items() if one.how == "missing"]
     paper.left = [*dict.fromkeys([*paper.left, *missing])]
     if paper.left:

@@ -47,7 +47,8 @@ class SheetMark:
     @classmethod
     def from_asked(cls, asked: Asked) -> SheetMark:
         """The mark of a blank, from its scene."""
-        scene, student = asked.scene, str(asked.scene.sheet.get("student", ""))
+        scene = asked.scene
+        student = str(asked.scene.sheet.get("student", ""))
         return cls(Path(scene.file).stem, scene.variant or "", student, asked.plan, asked.value, asked.mu)
 
     @property
@@ -91,7 +92,9 @@ def parse_mark(text: str) -> SheetMark | None:
     value, mu = (float(n) if n else None for n in numbers)
     pole = complex(*map(float, place.split(","))) if place else None
     is_mark = SheetMark(scene, variant, student, plan, value, mu, pole)
-    return is_mark if is_mark.printed_text == text and (mu is None or mu > 0) else None
+    if is_mark.printed_text == text and (mu is None or mu > 0):
+        return is_mark
+    return None
 
 
 def qr_code_cells(text: str) -> list[list[bool]]:
@@ -112,11 +115,9 @@ def read_mark_on_picture(grey: Greys) -> SheetMark | None:
     from planes.check.vision.image.picture import flatten
 
     flat = flatten(grey)
-    return (
-        _decode_mark(reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0], close=False)
-        if flat is None
-        else read_mark_of_sheet(flat)
-    )
+    if flat is None:
+        return _decode_mark(reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0], close=False)
+    return read_mark_of_sheet(flat)
 
 
 def read_mark_of_sheet(flat: Flat) -> SheetMark | None:

@@ -115,6 +115,7 @@ def structure(args: Namespace) -> int:
     from planes.plans.assur.alignment import self_aligning_variant
     from planes.plans.statements.of_scene import scene_plans
     from planes.solving.structure_text import alignment_report, structure_report_text
+    from planes.words.lettering import without_index_markup
 
     scene = scene_of(args)
     if scene.mechanism is None:
@@ -133,7 +134,7 @@ def structure(args: Namespace) -> int:
     else:
         reports = [structure_report_text(links, args.lang, scene.frame_number)]
         if variant:
-            reports.append(alignment_report(variant, args.lang))
+            reports.append(without_index_markup(alignment_report(variant, args.lang)))
         print(*reports, sep="\n\n")
     return 0
 

@@ -53,7 +53,9 @@ def _answer_kind(args: Namespace, span: Span | None) -> str:
         return "graphical_picture" if args.output else "graphical"
     if args.output:
         return "picture"
-    return "listing" if args.listing or (span is not None and span.count == 1) else "summary"
+    if args.listing or (span is not None and span.count == 1):
+        return "listing"
+    return "summary"
 
 
 def with_driver_motion(scene: Scene, velocity: float | None, acceleration: float | None) -> Scene:
@@ -81,7 +83,9 @@ def names_in_option(text: str | None, option: str) -> list[str] | None:
 def _requested_curve_names(args: Namespace) -> list[str] | None:
     """The curves requested by name; None: all."""
     names = names_in_option(args.show, "--show")
-    return None if names is None or names == ["all"] else [n for name in names for n in name.split("+")]
+    if names is None or names == ["all"]:
+        return None
+    return [n for name in names for n in name.split("+")]
 
 
 def _write_picture(args: Namespace, scene: Scene, span: Span | None) -> int:

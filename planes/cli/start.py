@@ -83,11 +83,9 @@ def template_in_language(template: str, lang: Lang) -> str:
         if body or len(both) == 2 or bool(_CYRILLIC_PATTERN.search(remark)) == first or not mark:
             lines.append(body + mark + (own.get(both[0], both[0]) if first and mark else both[-1]))
     text = "\n".join(lines) + "\n"
-    return (
-        text
-        if first
-        else text.replace("\nsheet: {", "\nsheet: {frame: iso, ") + ISO_SHEET_LINE * ("\nsheet:" not in text)
-    )
+    if first:
+        return text
+    return text.replace("\nsheet: {", "\nsheet: {frame: iso, ") + ISO_SHEET_LINE * ("\nsheet:" not in text)
 
 
 def _write_schema_beside(file: Path, name: str, lang: Lang) -> str:

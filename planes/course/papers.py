@@ -185,7 +185,9 @@ def segment_table(drawn: Position, name: str, lang: Lang, convention: Convention
     size = unit_of_name({"velocity": "v", "acceleration": "a"}.get(name, "F")).told(lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
     mu = with_decimal_sign(mu_text(drawn.scales[mu_name(name)], kind, lang, convention), lang)
-    return DocumentTable(f"{plan_name_in_words(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
+    if rows:
+        return DocumentTable(f"{plan_name_in_words(name, lang)}, μ = {mu}", (head, *rows))
+    return None
 
 
 TRIED_ANGLE_STEP_DEG = 15

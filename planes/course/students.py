@@ -138,7 +138,9 @@ def _assignments_of_student(course: Course, student: Student, number: int) -> li
     """The requested assignment of a student, or the next ones in turn."""
     own = requested_assignment(student, course.assignments)
     count = min(course.each, len(course.assignments))
-    return [own] if own else [course.assignments[(number + k) % len(course.assignments)] for k in range(count)]
+    if own:
+        return [own]
+    return [course.assignments[(number + k) % len(course.assignments)] for k in range(count)]
 
 
 def _folder_names(students: tuple[Student, ...]) -> list[str]:

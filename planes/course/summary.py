@@ -100,7 +100,9 @@ def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Blocks:
 
 def _answer_text(value: float | None, lang: Lang) -> str:
     """An answer for people: rounding noise is shown as zero."""
-    return "—" if value is None else number_text(0.0 if abs(value) <= LARGEST_ZERO_ANSWER else value, lang)
+    if value is None:
+        return "—"
+    return number_text(0.0 if abs(value) <= LARGEST_ZERO_ANSWER else value, lang)
 
 
 def _table_blocks(

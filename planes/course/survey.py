@@ -89,7 +89,9 @@ def _survey_row(scene: Scene, name: str, variant: str, lang: Lang) -> SurveyRow:
     balancing, lever = _balancing_loads(solved.positions[0], solved.plans)
     row = SurveyRow(name, variant, at, True, balancing, lever, remarks)
     apart = Phrase("survey_apart", balancing=row.balancing, lever=row.lever, most=LOAD_AGREEMENT_SHARE)
-    return row if row.is_right else replace(row, remarks=(*remarks, apart.told(lang)))
+    if row.is_right:
+        return row
+    return replace(row, remarks=(*remarks, apart.told(lang)))
 
 
 def _balancing_loads(position: Position, plans: Plans) -> tuple[float | None, float | None]:

@@ -48,7 +48,9 @@ def start_workers(jobs: int | None = None, scheduler: str | None = None, ready: 
 
 def usable_core_count() -> int:
     """How many processes may run at once here."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def _run_without_workers(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Answers[Done]:

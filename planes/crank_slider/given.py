@@ -35,7 +35,9 @@ class Indicator:
     @property
     def names(self) -> NameTuple:
         """The stages in the order of the cycle."""
-        return FOUR_STROKE_STAGES if "intake" in self.stages else TWO_STROKE_STAGES
+        if "intake" in self.stages:
+            return FOUR_STROKE_STAGES
+        return TWO_STROKE_STAGES
 
     @property
     def cycle_deg(self) -> float:

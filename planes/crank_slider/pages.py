@@ -136,7 +136,11 @@ def _report_parts() -> dict[str, list[str]]:
 def _value_at_path(path: str, values: object) -> Any:
     """The value at a path: ``-`` before a reversed one, ``|`` around one of which the magnitude is meant."""
     value = attrgetter(path.strip("|-"))(values)
-    return abs(value) if path[0] == "|" else -value if path[0] == "-" else value
+    if path[0] == "|":
+        return abs(value)
+    if path[0] == "-":
+        return -value
+    return value
 
 
 def plotted_lines(x: Array, named: Mapping[str, Array]) -> list[PlottedLine]:

@@ -140,4 +140,6 @@ def make_material(
 def steel_by_name(name: str) -> Material | None:
     """The steel of that name, in Cyrillic or look-alike Latin letters."""
     known = name.strip().upper().translate(str.maketrans("XHACM", "ХНАСМ"))
-    return make_material(known, *STEEL_PROPERTIES[known]) if known in STEEL_PROPERTIES else None
+    if known in STEEL_PROPERTIES:
+        return make_material(known, *STEEL_PROPERTIES[known])
+    return None

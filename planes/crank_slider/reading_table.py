@@ -29,7 +29,9 @@ class Values(Fields):
 
     def part(self, key: str, read: Callable[[Values], Part]) -> Part | None:
         """The part read from the table under a key, None if it is missing."""
-        return None if self.optional_node(key) is None else read(self.inner_fields(key, KEYS_BY_TABLE[key]))
+        if self.optional_node(key) is None:
+            return None
+        return read(self.inner_fields(key, KEYS_BY_TABLE[key]))
 
     def above(self, key: str, usual: float | None = None) -> float:
         """A number above zero."""

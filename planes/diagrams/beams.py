@@ -28,14 +28,17 @@ def beam_outlines(position: Position) -> BeamOutlines | None:
     """Both diagrams of a straight beam; None where there is none."""
     figure = position.plans.figure
     beam = _Beam(position, figure) if figure and figure.moments else None
-    return beam.draw_outlines() if beam and beam.covers_known_intervals else None
+    if beam and beam.covers_known_intervals:
+        return beam.draw_outlines()
+    return None
 
 
 class _Beam:
     """The beam by the distances of its points."""
 
     def __init__(self, position: Position, figure: StaticsFigure) -> None:
-        self.position, self.figure = position, figure
+        self.position = position
+        self.figure = figure
         ends = [p for p, _ in figure.moments] + [p for x in figure.spread for p in x.spread or ()]
         ends += [p for *two, _ in figure.shears for p in two]
         places = {

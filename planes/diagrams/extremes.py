@@ -106,10 +106,8 @@ def _one_sided_extremes(g: Grid, brackets: list[_Bracket], places: Array) -> lis
     value there, if the curve tends to it; infinity where it grows without bound."""
     beside = 1e-8 * (g.places[-1] - g.places[0])
     around = (places + beside * np.array([[-1], [1], [-1000], [1000]])).ravel()
-    values, (near, far) = (
-        _curve_values_at(g.turn, brackets, places),
-        _curve_values_at(g.turn, brackets * 4, around).reshape(2, 2, -1),
-    )
+    values = _curve_values_at(g.turn, brackets, places)
+    near, far = _curve_values_at(g.turn, brackets * 4, around).reshape(2, 2, -1)
     size = {k: np.nanmax(np.abs(g.curve_values(g.turn.curves[k]))) for k in {b.curve for b in brackets}}
     alone = np.abs(values - near).min(axis=0) > 1e-3 * np.array([size[b.curve] for b in brackets])
     extremes_there = []
@@ -145,7 +143,8 @@ def _extreme_brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:
     step = g.places[1] - g.places[0]
     if g.closed:
         period = y[-1] - y[0] if g.turn.curves[k].angular else 0.0
-        y, x = np.append(y, y[1] + period), np.append(x, x[-1] + step)
+        y = np.append(y, y[1] + period)
+        x = np.append(x, x[-1] + step)
     before = y[:-2]
     here = y[1:-1]
     after = y[2:]
@@ -244,7 +243,8 @@ def _unknown_slope(sample: Sample) -> float:
 def _cell_of_slope_crossing(slope: Array) -> tuple[Array, Array]:
     """The first cell in which a slope, positive before a top, is no longer positive."""
     down = ~(slope > 0)
-    down[:, 0], down[:, -1] = False, True
+    down[:, 0] = False
+    down[:, -1] = True
     last = down.argmax(axis=1)
     return last - 1, last
 

@@ -74,7 +74,8 @@ class Construction:
 
     def exact_values(self, stage: Stage) -> list[float]:
         """The true values at the points of a diagram, SI."""
-        m, ends = self.motion, self.motion.ends[stage.rank]
+        m = self.motion
+        ends = self.motion.ends[stage.rank]
         halves = (half for half, _ in stage.points)
         return [m.middles[stage.rank][half // 2 % m.section_count] if half % 2 else ends[half // 2] for half in halves]
 
@@ -219,7 +220,11 @@ def _draw_derivative_diagram(c: Construction, plan: str, rank: int, pole_mm: flo
 
 def _point_label(half: int) -> str:
     """Labels of points: whole sections by their number, middles by a half: 3, 3½."""
-    return str(half // 2) if half % 2 == 0 else "−½" if half < 0 else f"{half // 2}½"
+    if half % 2 == 0:
+        return str(half // 2)
+    if half < 0:
+        return "−½"
+    return f"{half // 2}½"
 
 
 def _longest_pole_distance(steepest: float, mu_t: float, mu: float) -> float:
@@ -239,7 +244,8 @@ def integrate_graphically(motion: Motion, pole_mm: float | None = None) -> Const
     middles = tuple((half, _point_label(half)) for half in range(1, 2 * motion.section_count, 2))
     c.lay_off_diagram(Stage(plan, 2, mu, pole, middles, True), values)
     _draw_integral_diagram(c, middles, "diagram:v", 1, motion.ends[1][0])
-    plan, mu = "diagram:v", c.stages[-1].mu
+    plan = "diagram:v"
+    mu = c.stages[-1].mu
     for k, (_, label) in enumerate(middles):
         c.draft.add_step(
             Similar(

@@ -98,7 +98,8 @@ def constructions_json(constructions: list[Construction]) -> Json:
 
 
 def _diagram_json(c: Construction, r: MeasuredDiagram) -> Json:
-    stage, keys = r.stage, ("point", "phi_deg", "found", "exact", "pencil")
+    stage = r.stage
+    keys = ("point", "phi_deg", "found", "exact", "pencil")
     points = [
         dict(zip(keys, (label, _driver_angle_at_point(c, half), *numbers), strict=True))
         for half, label, *numbers in r.reading_rows
@@ -121,7 +122,8 @@ def constructions_report(constructions: list[Construction], lang: Lang) -> str:
 
 
 def _diagram_table(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
-    rank, slides = r.stage.rank, c.motion.slides
+    rank = r.stage.rank
+    slides = c.motion.slides
     unit = say(UNITS_OF_PLACE_AND_RATES[slides][rank], lang)
     point, found_head, exact_head, pencil = (say(f"graphical_{k}", lang) for k in ("point", "found", "exact", "pencil"))
     size = max(map(abs, r.exact)) or 1.0

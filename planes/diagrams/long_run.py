@@ -47,7 +47,8 @@ def write_table(
 ) -> int:
     """Write a table of curves, with ``errors`` the ± of each after them; returns the exit status."""
     span = values or default_table_range(turn.plans)
-    kind, count = turn.plans.drive.kind, len(span)
+    kind = turn.plans.drive.kind
+    count = len(span)
     drive = (kind, "°" if kind == "phi" else "m")
     heads = [(c.name, c.unit) for c in turn.curves]
     heads += [(ERROR_COLUMN_PREFIX + name, unit) for name, unit in heads if errors]
@@ -139,7 +140,8 @@ def curves_at_positions_json(turn: WholeTurn, values: Any) -> Json:
 
 def failed_position_sentences(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
     """A sentence for each position that cannot be drawn."""
-    plans, sentences = turn.plans, []
+    plans = turn.plans
+    sentences = []
     given = {**plans.given, **dict.fromkeys(unit_scales_of_plans(plans), 1000.0)}
     nearest = Nearest(plans)
     for value in map(float, values):
@@ -156,7 +158,8 @@ def failed_position_sentences(turn: WholeTurn, values: Any, lang: Lang) -> list[
 
 def curve_listing_text(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
-    told_rows, kind = curves_at_positions(turn, values), turn.plans.drive.kind
+    told_rows = curves_at_positions(turn, values)
+    kind = turn.plans.drive.kind
     lines = list[str]()
     for key, curves in _curves_by_chapter(turn.curves):
         rows = [[c.name, say(c.unit, lang), *map(number_with_five_decimals, told_rows[c.name])] for c in curves]

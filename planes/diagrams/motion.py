@@ -117,7 +117,9 @@ def dead_point_positions(g: Grid) -> list[float]:
 
 def _driver_distance(one: float, two: float, g: Grid) -> float:
     """The distance between two positions of the driver, the short way round where it turns fully."""
-    return abs((one - two + FULL_TURN_DEG / 2) % FULL_TURN_DEG - FULL_TURN_DEG / 2) if g.closed else abs(one - two)
+    if g.closed:
+        return abs((one - two + FULL_TURN_DEG / 2) % FULL_TURN_DEG - FULL_TURN_DEG / 2)
+    return abs(one - two)
 
 
 # degrees (or metres) to either side of a dead point, where quantities may jump with the sense of motion
@@ -130,9 +132,12 @@ class Runs:
     """Positions of the driver between two ends, split where the driven link stands still."""
 
     def __init__(self, plans: Plans, start: float, end: float) -> None:
-        self.plans, self.start, self.end = plans, start, end
+        self.plans = plans
+        self.start = start
+        self.end = end
         places = grid_of_driven_link(plans, start, end)
-        self.dead, self.closed = dead_point_positions(places), places.closed
+        self.dead = dead_point_positions(places)
+        self.closed = places.closed
 
     def runs_between_dead_points(self) -> list[Array]:
         """Positions in runs between dead points, each run up to the dead point itself."""

@@ -144,7 +144,8 @@ class Summary:
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, size, rounds, still)
 
     def _is_shown(self, curve: Curve) -> bool:
-        name, driver = curve.name, self.plans.drive.link
+        name = curve.name
+        driver = self.plans.drive.link
         if self.names:
             return name in self.names
         if letter_of(name) in ("MZ", "FbZ") or component_axis(name):
@@ -158,7 +159,8 @@ class Summary:
     @cached_property
     def paths_of_points(self) -> tuple[Path, ...]:
         """Paths of the moving points."""
-        paths, frame = [], self.plans.mechanism.frame.points
+        paths = []
+        frame = self.plans.mechanism.frame.points
         for p in self.plans.points:
             if p not in frame:
                 z = self.grid.sampled_columns[f"r_{p}_x"] + 1j * self.grid.sampled_columns[f"r_{p}_y"]

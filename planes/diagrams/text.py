@@ -164,7 +164,8 @@ class Extremes(Json):
 
 def summary_json(s: Summary) -> Json:
     """The whole summary as plain data, with every extreme of every curve."""
-    drive, stroke = s.plans.drive, s.driven_stroke
+    drive = s.plans.drive
+    stroke = s.driven_stroke
     report: Json = {
         "planes": 1,
         "scene": s.scene.file,

@@ -42,7 +42,9 @@ class WholeTurn:
     def __init__(
         self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[CycleVector] = (), slopes: bool = True
     ) -> None:
-        self.plans, self.curves, self.arrows = plans, tuple(curves), tuple(arrows)
+        self.plans = plans
+        self.curves = tuple(curves)
+        self.arrows = tuple(arrows)
         self.needs = columns_needed((*self.curves, *self.arrows), slopes)
 
     @cached_property
@@ -173,7 +175,8 @@ class Grid:
     @cached_property
     def _typical_magnitudes(self) -> dict[str, float]:
         """Typical magnitudes in each unit, including those with the driver's given motion."""
-        drive, sizes = self.turn.plans.drive, {"°": FULL_TURN_DEG}
+        drive = self.turn.plans.drive
+        sizes = {"°": FULL_TURN_DEG}
         if drive.rotates:
             sizes |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
         for curve in self.turn.curves:

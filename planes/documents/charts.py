@@ -85,7 +85,9 @@ def turning_csv(turn: Turning | None, kind: str, lang: Lang) -> str:
 def with_moving_driver(mechanism: Mechanism) -> Mechanism:
     """The mechanism, with a stationary driver set to 1 rad/s or 1 m/s: zero velocities show nothing."""
     drive = mechanism.drive
-    return mechanism if drive.velocity else replace(mechanism, drive=replace(drive, velocity=1.0))
+    if drive.velocity:
+        return mechanism
+    return replace(mechanism, drive=replace(drive, velocity=1.0))
 
 
 def distance_axis_title(limit: Limit, lang: Lang) -> str:

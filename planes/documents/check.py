@@ -128,11 +128,9 @@ def _overlay_sheet_contents(outcome: Outcome, lang: Lang) -> check_sheet.Overlay
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(outcome)}
 
     def name(label: str) -> str:
-        return (
-            naming.lettered_vector(component_ending_at(label))
-            if kind == "force" and label != POLE_LABEL
-            else naming.mark(label, kind)
-        )
+        if kind == "force" and label != POLE_LABEL:
+            return naming.lettered_vector(component_ending_at(label))
+        return naming.mark(label, kind)
 
     first = outcome.first_wrong or ""
     said = outcome.sentence.told(lang)

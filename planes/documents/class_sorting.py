@@ -98,7 +98,9 @@ class Sorter:
             for t in others
             if _fits_other_task(outcome, replace(asked, scene=t.scene_in_variant(None), answers=()), paper, len(others))
         ]
-        return str(theirs[0].scene_in_variant(None).sheet.get("student", theirs[0].student)) if len(theirs) == 1 else ""
+        if len(theirs) == 1:
+            return str(theirs[0].scene_in_variant(None).sheet.get("student", theirs[0].student))
+        return ""
 
     def _identify_task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
         task = self.handed.task_of_mark(mark) if mark else self.handed.task_of_file_name(sheet.file.stem)
@@ -136,7 +138,9 @@ def _plan_of_results_table(sheet: HandedSheet, scene: Scene) -> str:
     paper = read_table(sheet.file)
     plans = known_plans(scene_plans(scene))
     alone = paper.results and not (paper.spots or paper.segments)
-    return next((p for p in plans if p == "velocity"), plans[0]) if alone else ""
+    if alone:
+        return next((p for p in plans if p == "velocity"), plans[0])
+    return ""
 
 
 def owner_text(scene: Scene, mark: SheetMark | None, assignment: str = "") -> str:

@@ -220,4 +220,6 @@ def _cached_file_hash(file: Path, _size: int, _time: int) -> str:
 
 def stored_drawing_name(name: str) -> str:
     """The stored name of a drawing: file systems limit its length."""
-    return name if len(name.encode()) < MOST_FILE_NAME_BYTES else f"{name[:60]}-{contents_hash(name.encode())[:8]}"
+    if len(name.encode()) < MOST_FILE_NAME_BYTES:
+        return name
+    return f"{name[:60]}-{contents_hash(name.encode())[:8]}"

@@ -229,7 +229,9 @@ def with_suitable_units(panel: Sequence[DiagramCurve]) -> list[DiagramCurve]:
 def _least_and_greatest(curve_extremes: Sequence[Extreme]) -> list[Extreme]:
     """The least and the greatest value, where they are finite."""
     some = [e for e in curve_extremes if isfinite(e.value)]
-    return [max(some, key=lambda e: sense * e.value) for sense in (-1, 1)] if some else []
+    if some:
+        return [max(some, key=lambda e: sense * e.value) for sense in (-1, 1)]
+    return []
 
 
 def _hodograph_rows(turned: DrawnTurn) -> list[View]:

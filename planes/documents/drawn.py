@@ -115,7 +115,9 @@ def picture(drawn: AnyScene | Position, view: str | None = None, lang: Lang | No
 def page_of_view(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
     """One view of a scene on a separate page, by name (by default the first)."""
     shown = _page_of_view(scene, view, values, lang)
-    return replace(shown, marks=colour_vectors(shown.marks)) if scene.sheet.get("colour") else shown
+    if scene.sheet.get("colour"):
+        return replace(shown, marks=colour_vectors(shown.marks))
+    return shown
 
 
 def _page_of_view(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:

@@ -86,7 +86,9 @@ def _table_html(results: Table, lang: Lang) -> Iterable[str]:
 
 
 def _cell_text(value: Any, lang: Lang) -> str:
-    return "—" if np.isnan(value) else with_decimal_sign(significant_digits_text(float(value)), lang)
+    if np.isnan(value):
+        return "—"
+    return with_decimal_sign(significant_digits_text(float(value)), lang)
 
 
 def _check_html(outcome: Outcome, lang: Lang) -> Iterable[str]:

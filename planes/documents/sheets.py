@@ -46,7 +46,9 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
     with using_face(face_of_scene(scene)), using_form_of_scene(scene):
         sheet = _composed_sheet(scene, values, lang, number)
-    return replace(sheet, marks=colour_vectors(sheet.marks)) if scene.sheet.get("colour") else sheet
+    if scene.sheet.get("colour"):
+        return replace(sheet, marks=colour_vectors(sheet.marks))
+    return sheet
 
 
 def _composed_sheet(scene: Scene, values: Iterable[float] | None, lang: Lang, number: int | None) -> Sheet:
@@ -85,7 +87,9 @@ def _project_sheet(drawn: "DrawnPosition", composer: Composer, number: int) -> S
 
     def extents(sizes: Sizes) -> dict[str, float]:
         """The parts that can grow: the diagrams."""
-        return {"diagrams": section_width_mm(sizes.factor_of_plan("diagrams")) * SECTION_COUNT} if project.turn else {}
+        if project.turn:
+            return {"diagrams": section_width_mm(sizes.factor_of_plan("diagrams")) * SECTION_COUNT}
+        return {}
 
     if number == 1:
         return compose_sheet(scene, Contents(views, extents, free=drawn.has_open_scale), composer.lang, number)
@@ -157,7 +161,9 @@ class DrawnPosition:
             self.loaded_scheme_enlargement(sizes) * mm
             for mm in plan_width_and_height(self.position_at_sizes(sizes).drawing, SCHEME_PLAN)
         )
-        return {LOADED_VIEW_KEY: max(high, wide / math.sqrt(2))} if self.scene.mu.get(SCHEME_PLAN) is None else {}
+        if self.scene.mu.get(SCHEME_PLAN) is None:
+            return {LOADED_VIEW_KEY: max(high, wide / math.sqrt(2))}
+        return {}
 
     def loaded_scheme_enlargement(self, sizes: Sizes) -> float:
         """How many times larger the scheme with loads is than the other figures of links."""

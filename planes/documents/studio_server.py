@@ -150,7 +150,9 @@ class StudioServer:
             return self.error_response("studio_bad_message", 400)
         verb, *extra = COMMAND_OF_DOWNLOAD[file]
         made = await self.command_output(message, [verb, "scene.yaml", *extra, "-o", file], file)
-        return made if isinstance(made, Response) else Response(made, media_type=MADE_FILE_TYPES[Path(file).suffix[1:]])
+        if isinstance(made, Response):
+            return made
+        return Response(made, media_type=MADE_FILE_TYPES[Path(file).suffix[1:]])
 
     async def check_drawing(self, request: Request) -> Response:
         """The address of the report on a drawing."""
@@ -173,7 +175,9 @@ class StudioServer:
     async def serve_report(self, request: Request) -> Response:
         """A stored report."""
         page = self.reports.get(request.path_params["name"])
-        return Response(page, media_type=OWN_FILE_TYPES["html"]) if page else self.error_response("studio_no_page", 404)
+        if page:
+            return Response(page, media_type=OWN_FILE_TYPES["html"])
+        return self.error_response("studio_no_page", 404)
 
     async def command_output(
         self, message: dict[str, object], line: list[str], output: str, beside: dict[str, bytes] | None = None

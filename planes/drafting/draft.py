@@ -145,11 +145,9 @@ class Draft:
 
     def _angle_name(self, name: str, angle: float | Dimension, means: Meaning | None) -> str:
         given = f"angle_{name}"
-        return (
-            self.add_computed_given(given, angle, means)
-            if isinstance(angle, Dimension)
-            else self.add_given(given, angle, means)
-        )
+        if isinstance(angle, Dimension):
+            return self.add_computed_given(given, angle, means)
+        return self.add_given(given, angle, means)
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
         """Lay off a length (SI value by name) from a mark."""
@@ -283,4 +281,6 @@ class Draft:
     def _lay_off_of_mark(self, mark: str) -> NameTriple | None:
         """How a mark was laid off, if it was: the start mark, the direction, the length."""
         step = self.steps[mark]
-        return (step.start, step.along, step.length) if isinstance(step, LayOff) else None
+        if isinstance(step, LayOff):
+            return (step.start, step.along, step.length)
+        return None

@@ -38,12 +38,16 @@ class Term:
     @property
     def known_part_count(self) -> int:
         """How many of length and direction are known: the number of underlines."""
-        return 2 if self.drawn else (self.length is not None) + (self.direction is not None)
+        if self.drawn:
+            return 2
+        return (self.length is not None) + (self.direction is not None)
 
     @property
     def end_marks(self) -> NamePair:
         """The start and end marks of its vector; reversed in a difference."""
-        return (self.start, self.end) if self.sign > 0 else (self.end, self.start)
+        if self.sign > 0:
+            return (self.start, self.end)
+        return (self.end, self.start)
 
 
 SignedTerm = tuple[int, Term]

@@ -90,7 +90,9 @@ class _Errors:
         self.one = random.Random(seed)
 
     def normal(self, shape: tuple[int, ...]) -> Real:
-        return self.array.standard_normal(shape) if shape else self.one.gauss(0.0, 1.0)
+        if shape:
+            return self.array.standard_normal(shape)
+        return self.one.gauss(0.0, 1.0)
 
     def place_errors(self, shape: tuple[int, ...]) -> Point:
         """Errors of a place: to the right, then upwards."""

@@ -27,7 +27,9 @@ def sin_deg(angle: float) -> float:
     r = math.copysign(180.0, r) - r if abs(r) > 90.0 else r
     if abs(r) == 30.0:
         return math.copysign(0.5, r)
-    return math.sin(math.radians(r)) if abs(r) <= 45.0 else math.copysign(math.cos(math.radians(90.0 - abs(r))), r)
+    if abs(r) <= 45.0:
+        return math.sin(math.radians(r))
+    return math.copysign(math.cos(math.radians(90.0 - abs(r))), r)
 
 
 def cos_deg(angle: float) -> float:
@@ -43,12 +45,16 @@ def tan_deg(angle: float) -> float:
         raise ValueError(f"tan({angle:g}) has no value")
     if abs(r) == 45.0:
         return math.copysign(1.0, r)
-    return math.tan(math.radians(r)) if abs(r) < 45.0 else math.copysign(1.0, r) / math.tan(math.radians(90.0 - abs(r)))
+    if abs(r) < 45.0:
+        return math.tan(math.radians(r))
+    return math.copysign(1.0, r) / math.tan(math.radians(90.0 - abs(r)))
 
 
 def asin_deg(value: float) -> float:
     """Angle in degrees of a sine; a ValueError outside -1..1."""
-    return math.copysign(30.0, value) if abs(value) == 0.5 else math.degrees(math.asin(value))
+    if abs(value) == 0.5:
+        return math.copysign(30.0, value)
+    return math.degrees(math.asin(value))
 
 
 def acos_deg(value: float) -> float:

@@ -15,4 +15,6 @@ def all_assemblies(ties: Sequence[Tie], size: float) -> Counted:
     if all(t.link == 0 for t in ties):
         same = find_parallel_ties(ties)
         return same.assemblies() if same else three_tie_assemblies(ties)
-    return two_link_assemblies(ties) if len(carrier_links(ties)) == 2 else search_assemblies(ties, size)
+    if len(carrier_links(ties)) == 2:
+        return two_link_assemblies(ties)
+    return search_assemblies(ties, size)

@@ -21,7 +21,9 @@ def quotient_or_nan(a: Any, b: Any) -> Any:
     try:
         return a / b
     except (ZeroDivisionError, OverflowError):
-        return COMPLEX_NAN if isinstance(a, complex) or isinstance(b, complex) else math.nan
+        if isinstance(a, complex) or isinstance(b, complex):
+            return COMPLEX_NAN
+        return math.nan
 
 
 def with_fallback_value(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[..., Any]:

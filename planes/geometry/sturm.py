@@ -97,7 +97,9 @@ def square_free_part(poly: Polynomial) -> tuple[Polynomial, bool]:
     """A polynomial with every root once, and whether any was multiple: at a multiple root Sturm's whole chain vanishes
     and the count fails."""
     rest = sturm_chain(poly)[-1]
-    return (divide_polynomials(poly, rest)[0], True) if len(rest) > 1 else (poly, False)
+    if len(rest) > 1:
+        return (divide_polynomials(poly, rest)[0], True)
+    return (poly, False)
 
 
 def greatest_common_divisor(one: Polynomial, two: Polynomial) -> Polynomial:

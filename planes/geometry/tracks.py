@@ -54,7 +54,9 @@ class Tie:
 
     def held_place(self, origin: Point, axis: Point) -> Point:
         """The place at which the link is held."""
-        return self.place if self.kind == "guide" else origin + self.local * axis
+        if self.kind == "guide":
+            return self.place
+        return origin + self.local * axis
 
 
 Pose = tuple[Point, ...]  # the place of the origin, and the direction of the link's x axis, or of both links'

@@ -45,7 +45,9 @@ class Choices:
             return None
         if kind == "first":
             return self.first_equation_options(int(what), frame)
-        return self.link_order_options(str(what)) if kind == "order" else self.first_link_reason_options(str(what))
+        if kind == "order":
+            return self.link_order_options(str(what))
+        return self.first_link_reason_options(str(what))
 
     def scale_options(self, plan: str, frame: Frame) -> Json | None:
         """Scales of the standard series about that of the lesson, the marks that give the size of the plan, and the
@@ -110,7 +112,9 @@ class Choices:
     def too_early_reason(self, names: Sequence[str]) -> Json:
         """Why links come too early: forces on them are still unknown."""
         forces = ", ".join(f"⟨{n}⟩" for n in names)
-        return {"why": sentence_in_lesson_languages("lesson_choice_early", forces=forces)} if names else {}
+        if names:
+            return {"why": sentence_in_lesson_languages("lesson_choice_early", forces=forces)}
+        return {}
 
     def first_link_reason_options(self, plan: str) -> Json | None:
         """Why the first links come first."""

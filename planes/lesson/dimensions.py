@@ -168,4 +168,6 @@ class _FreeDimensions(SceneDimensions):
         return self.own[self.free.turned[guide]]
 
     def offset(self, slider: str) -> Real:
-        return self.own[self.free.aside[slider]] if slider in self.free.aside else super().offset(slider)
+        if slider in self.free.aside:
+            return self.own[self.free.aside[slider]]
+        return super().offset(slider)

@@ -104,7 +104,9 @@ class FreeBodies:
 
     def balancing_load(self, plan: str) -> str:
         """The balancing load, if the polygon is the driver's."""
-        return self.plans.balancing if plan == force_plan_name(self.plans.drive.link) else ""
+        if plan == force_plan_name(self.plans.drive.link):
+            return self.plans.balancing
+        return ""
 
     def resolved_reactions(self, plan: str) -> Iterator[Split]:
         """The reactions of a polygon with both components in its equation."""

@@ -36,7 +36,9 @@ class Kit:
     def tools_for_frame(self, f: Frame) -> list[Json]:
         """The tools for a frame: for its mark, its measurements, the arms it drops, the vector it carries."""
         if f.makes:
-            return list(self.tools_for_step(self.steps_by_result[f.makes[0]])) if f.key != "fixed" else []
+            if f.key != "fixed":
+                return list(self.tools_for_step(self.steps_by_result[f.makes[0]]))
+            return []
         if f.turns:
             return [_dividers_tool(span, (f.turns["point"],)) for span in self.segments_of_frame(f)[:1]]
         if f.key in ("measured", "closing"):
@@ -99,12 +101,16 @@ class Kit:
         ends = tuple(full_mark_name("position", point) for point in (means.of, means.about)) if means else ()
         if ends and all(mark in self.drawing for mark in ends):
             return {"from": ends}
-        return self.set_square_base(self.steps_by_result[step.of]) if isinstance(step, Turn) else {}
+        if isinstance(step, Turn):
+            return self.set_square_base(self.steps_by_result[step.of])
+        return {}
 
     def guide_of_direction(self, step: Step) -> str:
         """The guide that a direction is along or across, "" for another."""
         means = self.plans.means.get(step.makes)
-        return means.of if means and not means.about and means.of in self.plans.mechanism.owners else ""
+        if means and not means.about and means.of in self.plans.mechanism.owners:
+            return means.of
+        return ""
 
     def similar_figure_tools(self, step: Similar | Image) -> Handled:
         """A figure similar to one of the scheme: both its angles by protractor; a point on the line itself by

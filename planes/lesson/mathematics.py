@@ -78,7 +78,9 @@ class Typesetter:
             return WORD_INDEX_PATTERN.sub(lambda m: upright_words(m[0]), named)
         if number:
             return number_in_tex(f"{{-{number[1:]}}}" if number[0] == "−" else number)
-        return f"^{'²³'.index(power) + 2}" if power else rf"\ {upright_words(word)}"
+        if power:
+            return f"^{'²³'.index(power) + 2}"
+        return rf"\ {upright_words(word)}"
 
 
 def upright_words(text: str) -> str:

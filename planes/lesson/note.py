@@ -318,11 +318,11 @@ class Note:
             return "—", "—"
         size = abs(measured.vector)
         angle = math.degrees(cmath.phase(measured.vector))
-        return (number_text(size, self.lang), number_text(round(angle, 1), self.lang)) if size > 1e-9 else ("0", "—")
+        if size > 1e-9:
+            return (number_text(size, self.lang), number_text(round(angle, 1), self.lang))
+        return ("0", "—")
 
     def number_cell(self, measured: Measured | None) -> str:
-        return (
-            "—"
-            if measured is None
-            else number_text(0.0 if abs(measured.number) <= 1e-9 else measured.number, self.lang)
-        )
+        if measured is None:
+            return "—"
+        return number_text(0.0 if abs(measured.number) <= 1e-9 else measured.number, self.lang)

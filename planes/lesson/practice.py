@@ -98,7 +98,9 @@ class Practice(Choices):
     def number_question(self, name: str, kind: str) -> Json:
         """The scale at which the number of a question is measured, and whether its sign is asked too."""
         own: Json = {"mu": self.scale_of_measured_number(name)} if kind == "number" else {}
-        return own | {"signed": True} if own and letter_of(name) in MOMENT_LETTERS else own
+        if own and letter_of(name) in MOMENT_LETTERS:
+            return own | {"signed": True}
+        return own
 
     def questions_of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
         """The kinds and names of the questions that a frame allows."""
@@ -155,7 +157,9 @@ class Practice(Choices):
     def scale_of_measured_number(self, name: str) -> str:
         """The scale of the plan that a number is measured on, "" for a computed one."""
         step = self.plans.program.steps_by_result.get(name)
-        return self.spans[name][2] if name in self.spans else getattr(step, "mu", None) or ""
+        if name in self.spans:
+            return self.spans[name][2]
+        return getattr(step, "mu", None) or ""
 
     @property
     def practice_id(self) -> str:
@@ -179,7 +183,9 @@ class Practice(Choices):
     def base_direction(self, direction: str) -> str:
         """The direction to which a perpendicular was drawn, or the direction itself."""
         step = self.plans.program.steps_by_result.get(direction)
-        return step.of if isinstance(step, Turn) and step.quarter and not step.angle else direction
+        if isinstance(step, Turn) and step.quarter and not step.angle:
+            return step.of
+        return direction
 
     def mistake_at_mark(self, variant: Variant, mark: str) -> Json:
         """A mistake at a mark, with the names in the order of its sentence."""
@@ -221,4 +227,6 @@ def revealed_values(frame: Frame) -> list[str]:
     """The values that a question about a number reveals: those of its sentence except its own, unless that is the only
     one."""
     values = sorted({*frame.needed_values})
-    return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]
+    if len(values) == 1:
+        return values
+    return [n for n in values if n not in frame.terms[:1]]

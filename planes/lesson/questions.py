@@ -144,11 +144,17 @@ class Questions(Note):
         if name == self.s.driver:
             return "driver"
         if link.slides:
-            return "slider" if self.m.owner_of_guide(link.slides.guide) == FRAME else "block"
+            if self.m.owner_of_guide(link.slides.guide) == FRAME:
+                return "slider"
+            return "block"
         if not any(p.has_link(name) and p.has_link(FRAME) for p in self.s.pairs):
             return "rod_guide" if link.guides else "rod"
         rounds = self.cycle_summary.grid.turns_fully(curves_by_name(self.position.plans)[f"phi_{name}"])
-        return "lever" if link.guides else "crank" if rounds else "rocker"
+        if link.guides:
+            return "lever"
+        if rounds:
+            return "crank"
+        return "rocker"
 
     def of_pair(self) -> Blocks:
         for kind in "RP":

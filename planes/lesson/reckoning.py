@@ -50,7 +50,9 @@ class Reckoning:
     def value_row(self, step: Step) -> Row:
         """How a value is found: by its formula, or its length on paper."""
         if isinstance(step, Calculate):
-            return self.combined_arm_row(step) if step.quantity_represented == "arm" else calculation_row(step)
+            if step.quantity_represented == "arm":
+                return self.combined_arm_row(step)
+            return calculation_row(step)
         if isinstance(step, Fed | Settle):
             return self.friction_couple_row(step)
         assert isinstance(step, Drop | Measure)

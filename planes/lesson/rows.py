@@ -82,7 +82,9 @@ def calculation_row(step: Calculate, called: str = "", unit_key: str = "", turns
 
 def row_remark(kind: str, lang: Lang) -> str:
     """What must be said of the value of a kind of line besides."""
-    return say(f"lesson_remark_{kind}", lang) if kind in REMARKED_ROW_KINDS else ""
+    if kind in REMARKED_ROW_KINDS:
+        return say(f"lesson_remark_{kind}", lang)
+    return ""
 
 
 def row_templates(rows: Iterable[Row]) -> Json:

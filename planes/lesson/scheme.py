@@ -194,7 +194,9 @@ def _owner_of_name(plans: Plans, name: str, acted_on: Mapping[str, str], under: 
     if letter in ("v", "a", "r") and any(index in link.points for link in links.values()):
         return full_mark_name("position", index)
     if letter in ("v", "a"):
-        return f"link:{under[index]}" if index in under else _link_of_pair(plans, index, under)
+        if index in under:
+            return f"link:{under[index]}"
+        return _link_of_pair(plans, index, under)
     if letter == "F":
         link = acted_on.get(f"F_{index}", "")
     else:

@@ -75,14 +75,14 @@ class StaticsNote(StatedNote):
         return [*blocks, *self.vectors_table()]
 
     def plan_heading(self, plan: str) -> str:
-        return self.say("space_diagram") if plan == "position" else super().plan_heading(plan)
+        if plan == "position":
+            return self.say("space_diagram")
+        return super().plan_heading(plan)
 
     def plan_caption(self, plan: str, group: str = "") -> str:
-        return (
-            self.say("note_space", mu=self.scale_text(plan))
-            if plan == "position"
-            else super().plan_caption(plan, group)
-        )
+        if plan == "position":
+            return self.say("note_space", mu=self.scale_text(plan))
+        return super().plan_caption(plan, group)
 
 
 def position_note(scene: Scene, position: Position, lang: Lang) -> Note:

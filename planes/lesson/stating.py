@@ -78,7 +78,9 @@ class Stating:
         """For forces, the bodies in equilibrium; for velocities and accelerations, the two motions of a point."""
         if plan_kind(e.plan) in VECTOR_LETTERS_BY_PLAN:
             parts = without_repeats(self.relative_motion_phrases(e))
-            return Phrase("why_equation_parts", parts=parts) if parts else Phrase("why_equation_circle")
+            if parts:
+                return Phrase("why_equation_parts", parts=parts)
+            return Phrase("why_equation_circle")
         links = tuple(force_plan_links(e.plan))
         inner = {name_of_force(a, b): a for a, b in permutations(links, 2)}
         links = next(((inner[t.name],) for t in e.all_terms if t.name in inner), links)
@@ -130,7 +132,9 @@ class Stating:
         frame = self.plans.mechanism.frame
         links = self.plans.mechanism.links.values()
         point = next((x.first_point for x in links if x.slides and x.slides.guide == line.line_name), "")
-        return GuidedPoint(point, "", frame.name, line.line_name) if point and line.line_name in frame.guides else None
+        if point and line.line_name in frame.guides:
+            return GuidedPoint(point, "", frame.name, line.line_name)
+        return None
 
     @cached_property
     def links_by_point_pair(self) -> dict[str, NameTriple]:

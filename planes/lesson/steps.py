@@ -243,7 +243,9 @@ def _calculated_vector_reason(step: LayOff, kind: str, source: Calculate) -> str
         return "driver_v"
     if step.quantity_represented == "normal":
         return "normal" if any(power < 0 for _, power in source.terms[0].factors) else "normal_w"  # v²/l, ω²l
-    return "coriolis" if step.quantity_represented == "coriolis" else "tangential"
+    if step.quantity_represented == "coriolis":
+        return "coriolis"
+    return "tangential"
 
 
 def unknown_vectors(equation: Equation) -> list[str]:

@@ -56,7 +56,9 @@ class LinkApart:
                 return None
             place += vector
             marks[vector_end_label(name)] = place
-        return marks if self._vector_end_mark(self.force, plans, drawing) is not None else None
+        if self._vector_end_mark(self.force, plans, drawing) is not None:
+            return marks
+        return None
 
     def _vector_end_mark(self, name: str, plans: Plans, drawing: Drawing) -> complex | None:
         if name in self.reactions:
@@ -66,7 +68,9 @@ class LinkApart:
             return complex((drawing[r.end] - drawing[r.start]) * (-1 if back else 1))
         load = next(f for f in plans.acting.forces[self.link] if f.name == name)
         drawn = load.size in drawing and load.along in drawing
-        return complex(drawing[load.size] * drawing[load.along] * drawing[mu_name(self.group)]) if drawn else None
+        if drawn:
+            return complex(drawing[load.size] * drawing[load.along] * drawing[mu_name(self.group)])
+        return None
 
 
 def links_with_own_polygon(plans: Plans, plan: str) -> Iterator[LinkApart]:

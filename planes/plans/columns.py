@@ -64,11 +64,9 @@ class Column(NamedTuple):
             return size / things[mu_name(plan_of(self.start))]
         if not self.value:
             return 0.0
-        return (
-            ar.where(self.has_no_normal_force(things, ar), float("nan"), things[self.value])
-            if self.beside
-            else things[self.value]
-        )
+        if self.beside:
+            return ar.where(self.has_no_normal_force(things, ar), float("nan"), things[self.value])
+        return things[self.value]
 
     def has_no_normal_force(self, things: Things, ar: Arithmetic) -> Truth:
         """Where the normal force vanishes beside the largest drawn mark of its plan."""

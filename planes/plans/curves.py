@@ -293,9 +293,9 @@ def driven_link_curves(plans: Plans) -> NameTuple:
 def driven_link_analogues(plans: Plans) -> NameTuple:
     """The analogues of the driven link: of velocity (or its transfer ratio), and of acceleration."""
     link, slides = driven_link_and_sliding(plans)
-    return (
-        (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (transfer_ratio_name(plans, link), f"epsilonq_{link}")
-    )
+    if slides:
+        return (f"vq_slide_{link}", f"aq_slide_{link}")
+    return (transfer_ratio_name(plans, link), f"epsilonq_{link}")
 
 
 def driven_link_and_sliding(plans: Plans) -> tuple[str, bool]:

@@ -44,11 +44,9 @@ class DrawingReader:
         """One number; None for the arm of no force."""
         things = self.drawing.things
         ar = self.drawing.tool.ar
-        return (
-            None
-            if c.beside and c.has_no_normal_force(things, ar)
-            else self.finite_number(c.read_from_drawing(things, ar), c.value or c.end)
-        )
+        if c.beside and c.has_no_normal_force(things, ar):
+            return None
+        return self.finite_number(c.read_from_drawing(things, ar), c.value or c.end)
 
     def measured_segments_of_plan(self, plan: str, names: set[str] | None = None) -> dict[str, Segment]:
         """The measured segments of a plan by their ends ("bc"), each once, only those of ``names`` if given.

@@ -129,7 +129,9 @@ class Plans:
     @cached_property
     def drive_given_name(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m; an unused name without a drive."""
-        return self.drive.coordinate_name if self.depends_on_drive else STILL_DRIVE_GIVEN
+        if self.depends_on_drive:
+            return self.drive.coordinate_name
+        return STILL_DRIVE_GIVEN
 
     def drive_givens_at(
         self, value: Real, program: Program | None = None, known: Container[str] = ()

@@ -4,13 +4,14 @@ One choice for a scene and a position, independent of a sheet: results, note, le
 """
 
 import cmath
+import math
 from collections.abc import Mapping
 
 from planes.drafting.drawing import Drawing, draw_program, draw_until_failure
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
 from planes.plans import Plans
-from planes.words.names import POLE_LABEL, NumbersByName, label_of, mu_name, plan_kind
+from planes.words.names import POLE_LABEL, NumbersByName, full_mark_name, label_of, mu_name, plan_kind
 from planes.words.units import standard_mu, standard_scale
 
 PLAN_FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
@@ -27,6 +28,8 @@ USUAL_GROUP_COUNT = 2
 MORE_GROUPS_SIZE_RATIO = 1.2
 ROUNDING_FORCE_RATIO = 1e-12  # of mass times acceleration: a force that is only rounding
 ZERO_VECTOR_MM = 0.05  # a vector shorter than this has no length on paper
+LEAST_LINK_MM = 12.0  # the signs of a hinge and a slider, beside each other
+SHORT_LINK_SIZE_RATIO = 1.7  # a scheme with a link shorter than this may be larger than usual by this
 LEAST_FORCE_PLAN_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one
 
 
@@ -81,13 +84,23 @@ def plan_scales(
         drawing, failed = draw_until_failure(plans.program, now)
         sizes = {plan: _plan_size_si(plans, drawing, plan) for plan, mu in fixed.items() if not mu}
         for plan, leader in scale_leaders(sizes, fit_mm).items():
-            chosen[mu_name(plan)] = largest_fitting_scale(plan, sizes[leader], fit_mm[plan_kind(plan)])
+            mm = fit_mm[plan_kind(plan)]
+            chosen[mu_name(plan)] = mu = largest_fitting_scale(plan, sizes[leader], mm)
+            if plan == "position" and mm >= PLAN_FIT_MM[plan] and mu * _shortest_link(plans, drawing) < LEAST_LINK_MM:
+                chosen[mu_name(plan)] = largest_fitting_scale(plan, sizes[leader], SHORT_LINK_SIZE_RATIO * mm)
         if failed:  # give it in millimetres of the paper
             draw_program(plans.program, {**now, **chosen})
             raise failed
     if "lever" in plans.plan_names:
         chosen[mu_name("lever")] = chosen[mu_name("motion" if plans.at_rest else "velocity")]
     return chosen
+
+
+def _shortest_link(plans: Plans, drawing: Drawing) -> float:
+    """The length of the shortest link with two drawn points, from its first point to the farthest, in SI."""
+    marks = ([full_mark_name("position", p) for p in link.points] for link in plans.mechanism.links.values())
+    places = [[drawing[m] for m in names if m in drawing] for names in marks]
+    return min((max(abs(z - one[0]) for z in one[1:]) for one in places if len(one) > 1), default=math.inf)
 
 
 def largest_fitting_scale(plan: str, size: float, fit_mm: float) -> float:
@@ -101,11 +114,9 @@ def _plan_size_si(plans: Plans, drawing: Drawing, plan: str) -> float:
     m = plans.mechanism
     if plan_kind(plan) == "force" and "acceleration" in plans.plan_names:
         mass = sum(link.mass or 0.0 for link in m.links.values())
-        return (
-            size
-            if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, "acceleration"))
-            else 0.0
-        )
+        if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, "acceleration")):
+            return size
+        return 0.0
     return size
 
 

@@ -33,7 +33,9 @@ def vector_giving_driver_rate(plans: Plans) -> DriverVector | None:
         factors = value.terms[0].factors if isinstance(value, Calculate) and len(value.terms) == 1 else ()
         if len(factors) == 2 and factors[0] == (drive.rate_names[0], 1) and factors[1][1] == 1:
             length = factors[1][0]
-            return DriverVector(laid.start, laid.makes, laid.along, length) if plans.given.get(length, 1.0) else None
+            if plans.given.get(length, 1.0):
+                return DriverVector(laid.start, laid.makes, laid.along, length)
+            return None
     return None
 
 
@@ -82,7 +84,9 @@ def transfer_ratio_name(plans: Plans, link: str) -> str:
     if not drive.rotates or drive.on != FRAME:
         return f"omegaq_{link}"
     driver = drive.link
-    return f"u_{link}{driver}" if len(link) == len(driver) == 1 else f"u_{link}_{driver}"
+    if len(link) == len(driver) == 1:
+        return f"u_{link}{driver}"
+    return f"u_{link}_{driver}"
 
 
 def turning_links(plans: Plans) -> list[str]:

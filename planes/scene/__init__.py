@@ -104,7 +104,11 @@ class Scene(Pictured):
     @property
     def drive(self) -> Drive | None:
         """The drive of the mechanism, or of the laws of the statement."""
-        return self.mechanism.drive if self.mechanism else self.statement.drive if self.statement else None
+        if self.mechanism:
+            return self.mechanism.drive
+        if self.statement:
+            return self.statement.drive
+        return None
 
     @property
     def mu_convention(self) -> Convention:

@@ -79,7 +79,9 @@ def _place_of_doubtful_number(table: SourceTable, parameters: Parameters, phrase
     met = [node for node, _ in nodes_along_path(table, path)]
     written = texts_with_paths(met[-1]) if len(met) == len(path) else ()
     names = {node.text for _, node in written if node.text in parameters}
-    return ("parameters", *names) if len(names) == 1 and "parameters" in table.entries else path
+    if len(names) == 1 and "parameters" in table.entries:
+        return ("parameters", *names)
+    return path
 
 
 def check_rod_lengths(reader: Reader, mechanism: Mechanism) -> None:

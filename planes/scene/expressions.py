@@ -213,7 +213,9 @@ class ExpressionParser:
             return float(word)
         if kind == "name":
             self.at += 1
-            return self.parse_function_call(word) if word in _FUNCTIONS else self.value_of_name(word)
+            if word in _FUNCTIONS:
+                return self.parse_function_call(word)
+            return self.value_of_name(word)
         if not self.take_sign("("):
             raise self.error_quoting_expression(self._unexpected_token_reason())
         value = self.parse_sum()

@@ -137,7 +137,9 @@ def _read_bearings(link: Fields) -> complex | None:
 
 
 def _read_mass(link: Fields, key: str) -> float | None:
-    return None if link.optional_node(key) is None else link.read_non_negative(key)
+    if link.optional_node(key) is None:
+        return None
+    return link.read_non_negative(key)
 
 
 def _read_points(link: Fields) -> dict[str, complex]:

@@ -184,7 +184,9 @@ class LawReader:
             check_law(text, self.known, self.reader.parameters)
         except ExpressionError as error:
             raise self.reader.error_by_key("about", node, what=what, why=error.phrase) from None
-        return LoadLaw(text) if names_in_expression(text) else self.reader.read_number(node, what)
+        if names_in_expression(text):
+            return LoadLaw(text)
+        return self.reader.read_number(node, what)
 
     def _is_moving_name(self, name: str) -> bool:
         """Whether a name changes with the position; an unknown name counts too, for it is hardly part of a number."""

@@ -160,7 +160,9 @@ def _resolve_from(start: str, written: Mapping[str, str], values: dict[str, floa
 def _circular_definition_phrase(path: list[str], name: str) -> Phrase:
     loop = [*path[path.index(name) :], name]
     words = loop if len(loop) <= 8 else [*loop[:6], "…", name]
-    return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
+    if len(loop) == 2:
+        return Phrase("circle_of_one", name=name)
+    return Phrase("circle", names=tuple(words))
 
 
 _DRIVE_RATE_NUMBER_KEYS = ("omega", "epsilon", "velocity", "acceleration")
@@ -205,7 +207,9 @@ def _drive_dependent_numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceS
 def names_in_node(node: Node) -> list[str]:
     """The names an expression uses; empty where the text is no expression."""
     try:
-        return [] if isinstance(node, SourceTable | Items) else names_in_expression(node.text)
+        if isinstance(node, SourceTable | Items):
+            return []
+        return names_in_expression(node.text)
     except ExpressionError:
         return []
 

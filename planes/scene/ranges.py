@@ -57,7 +57,9 @@ def driver_coordinate_asked(scene: Scene, phi: T | None, s: T | None, sign: str 
 def drive_positions_asked(scene: Scene, phi: Any, s: Any, several: bool = True) -> Any:
     """Where the drive is asked to be, as :func:`finite` takes it; None where nothing is asked."""
     at = driver_coordinate_asked(scene, phi, s)
-    return None if at is None else require_finite_numbers(at, "s" if phi is None else "phi", several)
+    if at is None:
+        return None
+    return require_finite_numbers(at, "s" if phi is None else "phi", several)
 
 
 def read_range(text: str, option: str = "--phi") -> list[float]:

@@ -213,7 +213,9 @@ class Fields:
 
     def number_if_given(self, key: str) -> float | None:
         """A number, or None."""
-        return None if self.optional_node(key) is None else self.read_number(key)
+        if self.optional_node(key) is None:
+            return None
+        return self.read_number(key)
 
     def read_non_negative(self, key: str, usual: float | None = None) -> float:
         """A number that is not negative; ``usual`` where none is given."""
@@ -263,8 +265,8 @@ def kind_of_node_in_words(node: Node) -> Told:
     """The type of a node, in words."""
     if isinstance(node, SourceTable):
         return Phrase("a_table")
-    return (
-        Phrase("a_list")
-        if isinstance(node, Items)
-        else (Phrase("empty") if node.is_blank else quoted_excerpt(node.text))
-    )
+    if isinstance(node, Items):
+        return Phrase("a_list")
+    if node.is_blank:
+        return Phrase("empty")
+    return quoted_excerpt(node.text)

@@ -171,7 +171,9 @@ def _read_sheet_setting(reader: Reader, key: str, node: Node) -> object:
         raise reader.error_by_key("bad_studio", node, address=quoted_excerpt(text))
     if key in SHEET_WORD_CHOICES:
         word = reader.read_word(node, what, SHEET_WORD_CHOICES[key])
-        return word != "false" if key in ("positions", *YES_OR_NO_KEYS) else word
+        if key in ("positions", *YES_OR_NO_KEYS):
+            return word != "false"
+        return word
     plain_number = isinstance(node, SourceScalar) and node.plain and len(text) <= 20 and _NUMBER_PATTERN.fullmatch(text)
     return float(text) if key in SHEET_NUMBER_KEYS and plain_number else text
 

@@ -25,7 +25,9 @@ class SideTerm:
     @property
     def term_text(self) -> str:
         """The term as written, without the sign."""
-        return self.name if abs(self.times) == 1 else f"{abs(self.times):.4g}·{self.name}"
+        if abs(self.times) == 1:
+            return self.name
+        return f"{abs(self.times):.4g}·{self.name}"
 
 
 Side = tuple[SideTerm, ...]

@@ -256,7 +256,9 @@ def drive_position_in_words(value: float, kind: str, lang: Lang) -> str:
 def _drive_position_text(value: float, kind: str, exact: bool = False) -> Phrase | Written:
     """A position of the drive, to ten digits or ``exact``."""
     number = repr(value).removesuffix(".0") if exact else f"{value:.10g}"
-    return Written(f"{number}°") if kind == "phi" else Phrase("in_m", value=Written(number))
+    if kind == "phi":
+        return Written(f"{number}°")
+    return Phrase("in_m", value=Written(number))
 
 
 def drive_position_key(plans: Plans) -> str:

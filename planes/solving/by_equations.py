@@ -85,7 +85,9 @@ def _known_vector_data(position: Position, name: str, vectors: Mapping[str, comp
             return {}
         return _line_of_action(position, term.direction) or {"direction": _rounded_angle_deg(things[term.direction])}
     sought = not term and name in [e.total for e in equations]
-    return {} if sought or name not in vectors else _fully_known_vector(vectors[name])
+    if sought or name not in vectors:
+        return {}
+    return _fully_known_vector(vectors[name])
 
 
 def _line_of_action(position: Position, direction: str) -> Json:
@@ -93,7 +95,9 @@ def _line_of_action(position: Position, direction: str) -> Json:
     means = position.plans.means.get(direction)
     key = {"along": "direction", "across": "perpendicular_to"}.get(means.quantity if means else "")
     known = position.plans.points
-    return {key: f"r_{means.line_name}"} if key and means and {means.of, means.about} <= known.keys() else {}
+    if key and means and {means.of, means.about} <= known.keys():
+        return {key: f"r_{means.line_name}"}
+    return {}
 
 
 def _vectors_with_directions(position: Position, given: Mapping[str, Json]) -> Json:

@@ -44,7 +44,9 @@ def _step_lines(steps: Iterable[Step], lang: Lang) -> Iterator[str]:
 
 def _branch_series_names(step: Step) -> set[str]:
     """The names of the series of an assembly: numbers that the user never gives."""
-    return {name for name, _ in step.guess.input_names()} - {step.guess.drive} if isinstance(step, CutTrack) else set()
+    if isinstance(step, CutTrack):
+        return {name for name, _ in step.guess.input_names()} - {step.guess.drive}
+    return set()
 
 
 def _names_read_by_step(step: Step) -> Iterator[str]:

@@ -26,7 +26,9 @@ def group_equilibrium_sentence(group: AnyGroup, lang: Lang) -> list[str]:
     constraints; empty for a group with a drive inside."""
     n = len(group.all_links)
     p = len(group_pairs(group))
-    return [say("note_group_determinate", lang, n=n, p=p, q=5 * p - 6 * n)] if 3 * n == 2 * p else []
+    if 3 * n == 2 * p:
+        return [say("note_group_determinate", lang, n=n, p=p, q=5 * p - 6 * n)]
+    return []
 
 
 def class_lowering_drivers_text(structure: Structure, lang: Lang, frame: str, kinds: bool = False) -> list[str]:
@@ -43,8 +45,8 @@ def class_lowering_drivers_text(structure: Structure, lang: Lang, frame: str, ki
 
 
 def alignment_report(aligned: Aligned, lang: Lang = "en", frame: str = FRAME) -> str:
-    """The self-aligning variant: the count of Somov and Malyshev, and the new kind of every pair; ``frame`` is the
-    number of the frame."""
+    """The self-aligning variant with markup of indices: the count of Somov and Malyshev, and the new kind of every
+    pair; ``frame`` is the number of the frame."""
     p1, p2, p3 = aligned.pair_counts_by_class
     lines = [
         say("alignment", lang, n=aligned.n, p1=p1, p2=p2, p3=p3),

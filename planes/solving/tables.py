@@ -91,7 +91,9 @@ def _largest_magnitude(things: Iterable[Row], key: str) -> float:
 
 def _magnitude_and_direction(measured: Measured | None, beside: float = 0.0) -> tuple[str, str]:
     """Magnitude and direction in degrees of a vector."""
-    return ("", "") if measured is None else magnitude_and_direction_cells(measured.vector, beside)
+    if measured is None:
+        return ("", "")
+    return magnitude_and_direction_cells(measured.vector, beside)
 
 
 def _points_table(points: dict[str, Row], lang: Lang, e: Json | None) -> list[str]:

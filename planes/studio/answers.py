@@ -52,7 +52,9 @@ def _plain_problem(key: str, lang: Lang, **parts: object) -> Json:
 def message_lang(message: Json) -> Lang:
     """The language of a message; English where it names none."""
     said = message.get("lang")
-    return said if isinstance(said, str) and said in available_languages() else "en"
+    if isinstance(said, str) and said in available_languages():
+        return said
+    return "en"
 
 
 def problem_report(error: PlanesError, text: str, lang: Lang) -> Json:

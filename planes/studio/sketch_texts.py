@@ -113,7 +113,9 @@ def _sketch_part_texts(sketch: Json) -> Iterator[tuple[tuple[str, ...], str]]:
 def _slide_text(guide: str | None, first: complex, sketch: Json) -> str:
     """What a link slides on, with the distance of its first point from there."""
     aside = _place_on_guide(first, sketch["guides"][guide]).imag if guide else 0.0
-    return guide or "" if abs(aside) < SAME_PLACE_M else f"{{guide: {guide}, offset: {hand_set_number_text(aside)}}}"
+    if abs(aside) < SAME_PLACE_M:
+        return guide or ""
+    return f"{{guide: {guide}, offset: {hand_set_number_text(aside)}}}"
 
 
 def link_axis(name: str, sketch: Json, points: dict[str, complex]) -> complex:
@@ -178,7 +180,9 @@ def _drive_text(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
 
 
 def _place_text(z: complex) -> str:
-    return hand_set_number_text(z.real) if abs(z.imag) < SAME_PLACE_M else _coordinates_text(z)
+    if abs(z.imag) < SAME_PLACE_M:
+        return hand_set_number_text(z.real)
+    return _coordinates_text(z)
 
 
 def _coordinates_text(z: complex) -> str:

@@ -53,7 +53,9 @@ class Edited:
             return self
         k = keys.index(path[-1])
         if len(parts) == 1:
-            return self.without_key(path[:-1]) if len(path) > 1 else Edited("", (1,))
+            if len(path) > 1:
+                return self.without_key(path[:-1])
+            return Edited("", (1,))
         start = parts[k][0].start_mark
         end = parts[k][1].end_mark
         if not parent.flow_style:
@@ -140,4 +142,6 @@ def _node_end(node: yaml.Node) -> yaml.Mark:
 
 
 def _nested_text(keys: Path, value: str) -> str:
-    return value if not keys else f"{{{keys[0]}: {_nested_text(keys[1:], value)}}}"
+    if not keys:
+        return value
+    return f"{{{keys[0]}: {_nested_text(keys[1:], value)}}}"

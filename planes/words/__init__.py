@@ -169,7 +169,9 @@ class _Teller(Formatter):
         if isinstance(value, str):
             return _system_error_messages(self.lang).get(value, value)
         number = format(value, format_spec or (".4g" if isinstance(value, float) else ""))
-        return with_decimal_sign(number, self.lang) if isinstance(value, float) else number
+        if isinstance(value, float):
+            return with_decimal_sign(number, self.lang)
+        return number
 
 
 def with_decimal_sign(number: str, lang: Lang) -> str:

@@ -35,7 +35,11 @@ _LETTERS_OF_OTHER_BOOKS = {"alpha": "epsilon", "theta": "phi", "w": "omega"}
 
 def error_place_prefix(file: str, line: int | None) -> str:
     """The place that precedes a sentence; a scene built in Python, <Slider-crank>, has no line numbers."""
-    return f"{file}:{line}: " if line and file[:1] != "<" else (f"{file}: " if file else "")
+    if line and file[:1] != "<":
+        return f"{file}:{line}: "
+    if file:
+        return f"{file}: "
+    return ""
 
 
 class PlanesError(Exception):

@@ -31,7 +31,9 @@ def letter_and_analogue_index(letter: str) -> tuple[str, str]:
     """The letter as written, and the index of an analogue: omegaq -> ω, q."""
     plain = letter.removesuffix("q")
     known = plain in ("v", "a", *GREEK_LETTER_BY_NAME)
-    return (GREEK_LETTER_BY_NAME.get(plain, plain), letter[len(plain) :]) if known else (letter, "")
+    if known:
+        return (GREEK_LETTER_BY_NAME.get(plain, plain), letter[len(plain) :])
+    return (letter, "")
 
 
 def with_number_as_subscript(name: str) -> str:
@@ -73,7 +75,9 @@ def name_in_words(name: str) -> Told:
     if match["point"]:
         key = "beside_guide" if match["sign"] == "°" else "foot_on_guide"
         return Phrase(key, point=match["point"], guide=match["guide"])
-    return label if match["sign"] == "⊥" else Phrase("guide_named", name=match["guide"])
+    if match["sign"] == "⊥":
+        return label
+    return Phrase("guide_named", name=match["guide"])
 
 
 def line_in_words(along: str, start: str) -> Phrase:

@@ -125,7 +125,9 @@ def letter_of(value: str) -> str:
 
 def guide_of(direction: str) -> str | None:
     """The guide a direction is drawn along; None of any other direction."""
-    return direction.removeprefix("∥") if direction.startswith("∥") else None
+    if direction.startswith("∥"):
+        return direction.removeprefix("∥")
+    return None
 
 
 def written_direction(direction: str) -> str:

@@ -99,7 +99,9 @@ class Naming:
     def own_vector_name(self, name: str) -> str:
         """A point's own vector for one that is the same, since it ends at a point of the frame: v_B for v_BB0."""
         half = name[: (len(name) - 1) // 2 + 1]
-        return half if name in self.grounded and name == f"{half}{half[2:]}0" else name
+        if name in self.grounded and name == f"{half}{half[2:]}0":
+            return half
+        return name
 
     def lettered_arm(self, force: str, arm: str) -> str:
         """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2};
@@ -137,7 +139,9 @@ class Naming:
             return self.lettered_arm(index.rpartition("_")[0] if letter == "h" else index, plain)
         if "'" in plain or plain == "p":
             return self.mark(plain, plan)
-        return self.lettered_vector(component_ending_at(plain)) if index else with_number_as_subscript(plain)
+        if index:
+            return self.lettered_vector(component_ending_at(plain))
+        return with_number_as_subscript(plain)
 
     def lettered_curve(self, name: str) -> str:
         """A curve's name as a letter with its index in _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
@@ -165,13 +169,17 @@ class Naming:
         letter, index, _ = split_value_name(name)
         if letter not in ("F", "R") or not index[:1].isalnum():
             return name
-        return terminal_spelling(self.lettered_vector(name)) if index.isalnum() or "_" in index else name
+        if index.isalnum() or "_" in index:
+            return terminal_spelling(self.lettered_vector(name))
+        return name
 
     def retell_in_typed_names(self, text: str, names: Iterable[str]) -> str:
         """A sentence that was told in the program's names, in those that people type and sheets print."""
         other = {name: said for name in names if (said := re.sub("^I_", "Φ_", self.typed_name(name))) != name}
         some = "|".join(map(re.escape, sorted(other, key=len, reverse=True)))
-        return re.sub(rf"(?<![\w^])(?:{some})(?![\w^])", lambda m: other[m[0]], text) if other else text
+        if other:
+            return re.sub(rf"(?<![\w^])(?:{some})(?![\w^])", lambda m: other[m[0]], text)
+        return text
 
     def terminal_vector_name(self, name: str) -> str:
         """A vector or a value as printed at a terminal: omega_2_1 -> ω2,1."""
@@ -253,7 +261,9 @@ class Names:
     def find_exact_name(self, written: str) -> str | None:
         """The program's name if typed letter by letter, or the pole however it is typed."""
         name = self.find_name(written)
-        return name if name == POLE_LABEL or without_markup(written) in self._names_by_spelling else None
+        if name == POLE_LABEL or without_markup(written) in self._names_by_spelling:
+            return name
+        return None
 
     def find_name(self, written: str) -> str | None:
         """The program's name, or None where none or two fit."""

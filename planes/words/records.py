@@ -80,5 +80,7 @@ def safe_spreadsheet_cell(text: str) -> str:
     try:
         float(text)
     except ValueError:
-        return f"'{text}" if text.startswith(FORMULA_STARTS) or text.lstrip().startswith(FORMULA_STARTS) else text
+        if text.startswith(FORMULA_STARTS) or text.lstrip().startswith(FORMULA_STARTS):
+            return f"'{text}"
+        return text
     return text

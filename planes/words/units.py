@@ -164,7 +164,9 @@ def _base_unit_powers(unit: str) -> dict[str, int] | None:
             signs.pop()
         else:
             return None
-    return None if ready or len(signs) > 1 else {k: v for k, v in total.items() if v}
+    if ready or len(signs) > 1:
+        return None
+    return {k: v for k, v in total.items() if v}
 
 
 def mu_text(mu: float, plan: str, lang: str = "en", convention: Convention = "mm_per_unit") -> str:
@@ -187,7 +189,9 @@ def mu_unit_text(unit: str, lang: str, inverse: bool = False) -> str:
     mm = say("mm", lang)
     above, _, below = unit.partition("/")
     if below and say("one_stroke", lang):
-        return f"{above}/({below}·{mm})" if inverse else f"{mm}·{below}/{above}"
+        if inverse:
+            return f"{above}/({below}·{mm})"
+        return f"{mm}·{below}/{above}"
     unit = f"({unit})" if below or "·" in unit else unit
     return f"{unit}/{mm}" if inverse else f"{mm}/{unit}"
 
@@ -231,7 +235,9 @@ def _largest_fitting_scale(largest: float, fit_mm: float) -> float | None:
 
 def number_text(value: float | None, lang: Lang, digits: int = 4) -> str:
     """A number as a language writes it, with a true minus; a dash for none."""
-    return "—" if value is None else with_decimal_sign(significant_digits_text(value, digits).replace("-", "−"), lang)
+    if value is None:
+        return "—"
+    return with_decimal_sign(significant_digits_text(value, digits).replace("-", "−"), lang)
 
 
 _UNIT_OF_LETTER = {"m": "kg", "v": "m/s", "omega": "rad/s", "epsilon": "rad/s²", "g": "m/s²"}
@@ -261,7 +267,11 @@ def number_in_tex(number: str) -> str:
 def significant_digits_text(value: float, digits: int = 4) -> str:
     """A number for people: ``digits`` significant ones, no exponent for ordinary magnitudes."""
     if not math.isfinite(value):
-        return "—" if math.isnan(value) else ("∞" if value > 0 else "-∞")
+        if math.isnan(value):
+            return "—"
+        if value > 0:
+            return "∞"
+        return "-∞"
     mantissa, exponent = f"{value:.{max(digits, 1) - 1}e}".split("e")
     power = int(exponent)
     if value == 0.0:

@@ -39,7 +39,9 @@ def unit_in_si(unit: str, result: str = "") -> tuple[float, str] | None:
     if other := next((_OTHER_UNITS[row] for row in _OTHER_UNITS if text in row.split()), None):
         return other
     prefix, factor = _PREFIXED_UNITS.get(text[:2], ("", 1.0))
-    return (factor, known[prefix + text[2:]]) if prefix and prefix + text[2:] in known else None
+    if prefix and prefix + text[2:] in known:
+        return (factor, known[prefix + text[2:]])
+    return None
 
 
 def _normalized_unit(unit: str) -> str:

@@ -150,7 +150,9 @@ def power_of_ten(x: float) -> str:
 def two_digit_number(x: float) -> str:
     """Two significant digits, grouped in thousands: 37 000."""
     size = 10 ** max(math.floor(math.log10(x)) - 1, 0)
-    return f"{round(x / size) * size:,}".replace(",", "\u2009") if x >= 10 else f"{x:.2g}"
+    if x >= 10:
+        return f"{round(x / size) * size:,}".replace(",", "\u2009")
+    return f"{x:.2g}"
 
 
 def conclusion_of_speed(methods: Sequence[Method], lang: Lang) -> str:

@@ -46,7 +46,9 @@ def animation_bytes(
                 step(k, len(frames))
         return _svg_bytes(pages, seconds)
     pictures = _frame_pictures(frames, size_mm, GIF_WIDTH_PX if suffix == ".gif" else FILM_WIDTH_PX, step)
-    return _gif_bytes(pictures, seconds) if suffix == ".gif" else _mp4_bytes(pictures, seconds)
+    if suffix == ".gif":
+        return _gif_bytes(pictures, seconds)
+    return _mp4_bytes(pictures, seconds)
 
 
 def _frame_pictures(frames: Sequence[Sequence[Mark]], size_mm: Size, wide: int, step: Step) -> "list[Image]":

@@ -83,9 +83,7 @@ def settle_board(labels: Sequence[Label], around: Surroundings, farther: int = M
 def _keep_clear_line(text: Text) -> Line:
     """A line through a placed text, so far beyond it that no label beside it could be read as one word with it."""
     low, right, _, left = text_box_corners(text)
-    past, way = (
-        max(LABEL_GAP_RATIOS[0] * text.height - LEAST_INK_DISTANCE_MM, 0.0),
-        (right - low) / (abs(right - low) or 1.0),
-    )
+    past = max(LABEL_GAP_RATIOS[0] * text.height - LEAST_INK_DISTANCE_MM, 0.0)
+    way = (right - low) / (abs(right - low) or 1.0)
     middle = (left - low) / 2
     return Line((low + middle - past * way, right + middle + past * way), "thin")

@@ -58,7 +58,8 @@ class Everywhere:
     """The candidates of all labels in one list."""
 
     def __init__(self, every: Candidates) -> None:
-        self.every, self.reach = every, np.ascontiguousarray(every.outer_boxes.T)
+        self.every = every
+        self.reach = np.ascontiguousarray(every.outer_boxes.T)
 
     def effect_on_others(self, row: int, own: slice) -> Effect:
         """The effect of the place in a row on all others except its label's ``own``."""
@@ -79,13 +80,15 @@ class Board:
     """
 
     def __init__(self, labels: Sequence[Label], around: Surroundings) -> None:
-        self.labels, self.around = labels, around
+        self.labels = labels
+        self.around = around
         self.options = [candidates_beside(label, NEAR_DISTANCES_MM) for label in labels]
         self.costs = self.around.candidate_costs(self.options)
         self.nearer_to_others = [self._mm_nearer_to_others(k) for k in range(len(labels))]
         for k, nearer in enumerate(self.nearer_to_others):
             self.costs[k] += AMBIGUITY_COST * (nearer > 0)
-        self.chosen, self.wide = dict[int, int](), dict[int, int]()
+        self.chosen = dict[int, int]()
+        self.wide = dict[int, int]()
         self._list_candidates()
 
     def _list_candidates(self) -> None:
@@ -101,7 +104,8 @@ class Board:
 
     def _mm_nearer_to_others(self, k: int) -> Array:
         """How much nearer the candidates of label k are to what another label names than to their own, mm."""
-        own, box = self.labels[k], self.options[k].boxes
+        own = self.labels[k]
+        box = self.options[k].boxes
         others = [z for j, label in enumerate(self.labels) if j != k and label.at != own.at for z in sampled(label.at)]
         if not others:
             return np.zeros(len(box))
@@ -117,9 +121,11 @@ class Board:
 
     def candidate_costs(self, rows: slice | Indices, but: int | None = None) -> Array:
         """The cost of candidates among the present places of the other labels, with at most one excepted."""
-        clashes, near = self.clashes[:, rows], self.near[:, rows]
+        clashes = self.clashes[:, rows]
+        near = self.near[:, rows]
         if but is not None:
-            clashes, near = np.delete(clashes, but, axis=0), np.delete(near, but, axis=0)
+            clashes = np.delete(clashes, but, axis=0)
+            near = np.delete(near, but, axis=0)
         costs: Array = self.static[rows] + OVERLAP_COST * clashes.sum(axis=0) + CLOSENESS_COST * near.any(axis=0)
         return costs
 
@@ -127,9 +133,12 @@ class Board:
         """Put label k in a place."""
         if (k, option) not in self.effects:
             self.effects[k, option] = self.everywhere.effect_on_others(self.rows[k].start + option, self.rows[k])
-        effect, self.chosen[k] = self.effects[k, option], option
-        self.clashes[k], self.near[k] = 0, False
-        self.clashes[k, effect.clashing], self.near[k, effect.near] = effect.clashes, True
+        effect = self.effects[k, option]
+        self.chosen[k] = option
+        self.clashes[k] = 0
+        self.near[k] = False
+        self.clashes[k, effect.clashing] = effect.clashes
+        self.near[k, effect.near] = True
 
     def chosen_indices(self) -> Indices:
         """The indices of all chosen places in the list of candidates."""

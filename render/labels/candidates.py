@@ -64,11 +64,9 @@ class Label:
     def ink_bounds(self) -> Bounds:
         """Bounds of its ink in mm from the left end of its base line."""
         x0, y0, x1, y1 = ink_bounds(self.text, self.height)
-        return (
-            (x0 - UNDERLINE_OVERHANG_MM, y0 - UNDERLINE_DROP_MM, x1 + UNDERLINE_OVERHANG_MM, y1)
-            if self.underlined
-            else (x0, y0, x1, y1)
-        )
+        if self.underlined:
+            return (x0 - UNDERLINE_OVERHANG_MM, y0 - UNDERLINE_DROP_MM, x1 + UNDERLINE_OVERHANG_MM, y1)
+        return (x0, y0, x1, y1)
 
 
 class Placed(NamedTuple):
@@ -101,7 +99,8 @@ class Candidates:
     @property
     def outer_boxes(self) -> Array:
         """The box around each candidate and its leader line."""
-        x, y = self.leaders.real, self.leaders.imag
+        x = self.leaders.real
+        y = self.leaders.imag
         low = np.fmin(self.boxes[:, :2], np.stack([x.min(axis=1), y.min(axis=1)], axis=1))
         return np.hstack([low, np.fmax(self.boxes[:, 2:], np.stack([x.max(axis=1), y.max(axis=1)], axis=1))])
 
@@ -167,7 +166,7 @@ def box_point_distances(boxes: Array, points: Complexes) -> Array:
 
 def sampled(at: complex | Ends) -> list[complex]:
     """A point, or points along a segment, from end to end."""
-    return [at] if not isinstance(at, tuple) else (at[0] + _SAMPLES * (at[1] - at[0])).tolist()
+    return (at[0] + _SAMPLES * (at[1] - at[0])).tolist() if isinstance(at, tuple) else [at]
 
 
 def distance_to_own_object(candidates: Candidates, at: complex | Ends, also: Sequence[complex]) -> Array:
@@ -182,7 +181,8 @@ def _segment_direction(ends: Ends) -> complex:
 
 
 def _boxes_about_middles(middles: Complexes, size: Size) -> Array:
-    x, y = middles.real, middles.imag
+    x = middles.real
+    y = middles.imag
     return np.stack([x - size[0] / 2, y - size[1] / 2, x + size[0] / 2, y + size[1] / 2], axis=1)
 
 
@@ -197,7 +197,8 @@ def _boxes_around_point(at: complex, label: Label, size: Size, gaps: Array, ways
 
 def _boxes_along_segment(ends: Ends, label: Label, size: Size, gaps: Array) -> tuple[Array, Array]:
     """Boxes on both sides of a segment and their wishes, the middle of the segment first."""
-    liked, out = label.side or _DEFAULT_DIRECTION, np.array([1j, -1j]) * _segment_direction(ends)
+    liked = label.side or _DEFAULT_DIRECTION
+    out = np.array([1j, -1j]) * _segment_direction(ends)
     reach = (label.clear + gaps)[:, None] + (np.abs(out.real) * size[0] + np.abs(out.imag) * size[1]) / 2
     middles = (ends[0] + _SEGMENT_SHARES * (ends[1] - ends[0]))[:, None] + (reach * out)[:, None, :]
     wrong = (3.0 if label.side else 0.7) * ((out * liked.conjugate()).real < 0)
@@ -215,7 +216,8 @@ def count_clashes(some: Candidates, others: Candidates) -> tuple[Indices, Boolea
     clashes = ((sideways < LABEL_GAP_RATIOS[0] * letter) & (apart < LABEL_GAP_RATIOS[1] * letter)).astype(np.intp)
     clashes += (sideways < 0.0) & (apart < 0.0)
     led, leading = (np.flatnonzero(~np.isnan(places.leaders[:, 0])) for places in (some, others))
-    own, theirs = some.leaders[led][:, None, :], others.leaders[leading][None, :, :]
+    own = some.leaders[led][:, None, :]
+    theirs = others.leaders[leading][None, :, :]
     if len(leading):
         clashes[:, leading] += segments_cross_boxes(some.boxes[:, None, :] + _LEADER_CLEARANCE_BOX_MM, theirs)
     if len(led):
@@ -231,12 +233,16 @@ def place_at_preferred(labels: Sequence[Label]) -> Placed:
         (option := candidates_beside(label, NEAR_DISTANCES_MM[:1])).select_rows(np.argmin(option.wish, keepdims=True))
         for label in labels
     ]
-    return place_at_chosen(labels, join_candidates(best)) if best else Placed((), ())
+    if best:
+        return place_at_chosen(labels, join_candidates(best))
+    return Placed((), ())
 
 
 def place_at_chosen(labels: Sequence[Label], chosen: Candidates) -> Placed:
     """Labels in the chosen places."""
-    texts, leaders, signs = list[Text](), list[Line](), list[Line | Arc]()
+    texts = list[Text]()
+    leaders = list[Line]()
+    signs = list[Line | Arc]()
     there = zip(labels, chosen.boxes, chosen.leaders, strict=True)
     for label, (x0, y0, x1, _), led in (one for one in there if not np.isnan(one[1][0])):
         left, low, *_ = label.ink_bounds

@@ -130,7 +130,8 @@ def segments_cross_boxes(boxes: Array, lines: Complexes) -> Booleans:
             (boxes[..., 1], boxes[..., 3], start.imag, span.imag),
         ):
             safe = np.where(step == 0, 1e-12, step)
-            one, two = (low - origin) / safe, (high - origin) / safe
+            one = (low - origin) / safe
+            two = (high - origin) / safe
             enter = np.maximum(enter, np.minimum(one, two))
             leave = np.minimum(leave, np.maximum(one, two))
     return enter < leave
@@ -143,7 +144,8 @@ def segments_meet(lines: Complexes, others: Complexes) -> Booleans:
     across = (span.conjugate() * way).imag
     safe = np.where(across == 0, np.inf, across)
     apart = began - start
-    on_line, on_other = (apart.conjugate() * way).imag / safe, (apart.conjugate() * span).imag / safe
+    on_line = (apart.conjugate() * way).imag / safe
+    on_other = (apart.conjugate() * span).imag / safe
     inside = (on_line >= -0.02) & (on_line <= 1.02) & (on_other >= -0.02) & (on_other <= 1.02)
     there: Booleans = (
         (inside & (across != 0))
@@ -156,7 +158,8 @@ def segments_meet(lines: Complexes, others: Complexes) -> Booleans:
 def _overlap_on_one_line(start: Complexes, span: Complexes, began: Complexes, way: Complexes) -> Booleans:
     """Whether the second segments lie on the line of the first, and beside them."""
     unit = span / np.abs(span)
-    one, two = (began - start) * unit.conjugate(), (began + way - start) * unit.conjugate()
+    one = (began - start) * unit.conjugate()
+    two = (began + way - start) * unit.conjugate()
     along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
     return (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3) & along
 

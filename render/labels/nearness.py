@@ -51,7 +51,8 @@ class Edges:
 
     def _possibly_near_pairs(self, boxes: Array, clear: float) -> tuple[Indices, Indices]:
         """Pairs of boxes and edges that may be that close."""
-        reach, runs = self._edge_neighbourhoods(clear), _box_sides_in_runs(boxes)
+        reach = self._edge_neighbourhoods(clear)
+        runs = _box_sides_in_runs(boxes)
         run, edge = np.nonzero(boxes_overlap([side[None] for side in reach], _boxes_around_runs(runs)))
         row, at = np.nonzero(boxes_overlap([side[edge, None] for side in reach], [side[run] for side in runs]))
         return run[row] * BOXES_PER_RUN + at, edge[row]
@@ -89,14 +90,21 @@ class Edges:
 
     def _box_edge_distances(self, boxes: Sequence[Array], edges: Indices) -> Array:
         """The distances between boxes and edges, in pairs."""
-        wide, high = (boxes[2] - boxes[0]) / 2, (boxes[3] - boxes[1]) / 2
-        x, y = boxes[0] + wide, boxes[1] + high
-        (ax, ay, bx, by), (along, up, long) = self.ends[:, edges], self._directions_and_lengths[:, edges]
-        ax, ay, bx, by = ax - x, ay - y, bx - x, by - y
+        wide = (boxes[2] - boxes[0]) / 2
+        high = (boxes[3] - boxes[1]) / 2
+        x = boxes[0] + wide
+        y = boxes[1] + high
+        ax, ay, bx, by = self.ends[:, edges]
+        along, up, long = self._directions_and_lengths[:, edges]
+        ax = ax - x
+        ay = ay - y
+        bx = bx - x
+        by = by - y
         ends = np.minimum(_distance_from_box(ax, wide, ay, high), _distance_from_box(bx, wide, by, high))
         across = ax * up - ay * along
         past = np.abs(across) - (np.abs(up) * wide + np.abs(along) * high)
-        to_x, to_y = np.copysign(wide, across * up) - ax, np.copysign(high, -across * along) - ay
+        to_x = np.copysign(wide, across * up) - ax
+        to_y = np.copysign(high, -across * along) - ay
         corner = to_x * along + to_y * up
         level = (np.minimum(ax, bx) <= wide) & (np.maximum(ax, bx) >= -wide)
         level &= (np.minimum(ay, by) <= high) & (np.maximum(ay, by) >= -high)
@@ -128,7 +136,8 @@ def _box_sides_in_runs(boxes: Array) -> list[Array]:
 
 def _boxes_around_runs(runs: Sequence[Array]) -> list[Array]:
     """The box around each run."""
-    low, high = (np.fmin.reduce, np.fmax.reduce)
+    low = np.fmin.reduce
+    high = np.fmax.reduce
     return [lesser(side, axis=1)[:, None] for lesser, side in zip((low, low, high, high), runs, strict=True)]
 
 

@@ -59,10 +59,8 @@ class Surroundings:
 
     def _ink_costs(self, boxes: Array) -> Array:
         """Cost of the strokes that each box touches or nearly touches."""
-        (roomless, struck), (broken,) = (
-            self.ground.shape_edges.count_near_shapes(boxes, (COMFORTABLE_GAP_MM, LEAST_INK_DISTANCE_MM)),
-            self.yielding.shape_edges.count_near_shapes(boxes, (LEAST_INK_DISTANCE_MM,)),
-        )
+        roomless, struck = self.ground.shape_edges.count_near_shapes(boxes, (COMFORTABLE_GAP_MM, LEAST_INK_DISTANCE_MM))
+        (broken,) = self.yielding.shape_edges.count_near_shapes(boxes, (LEAST_INK_DISTANCE_MM,))
         return TIGHTNESS_COST * (roomless > 0) + OVERLAP_COST * struck + BROKEN_LINE_COST * _bounded_count(broken)
 
     def leader_costs(self, leaders: Complexes) -> Array:

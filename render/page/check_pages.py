@@ -170,7 +170,9 @@ def _decision_buttons_html(lang: Lang) -> str:
 
 
 def _link_html(name: str, link: str) -> str:
-    return f'<a href="{html.escape(link, quote=True)}">{name}</a>' if link else name
+    if link:
+        return f'<a href="{html.escape(link, quote=True)}">{name}</a>'
+    return name
 
 
 def _wrong_places_html(places: Sequence[Json], page: str, naming: Naming, kind: str, caption: str = "") -> str:

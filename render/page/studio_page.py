@@ -36,7 +36,9 @@ COMMAND_OF_DOWNLOAD = {
 def answer_message(message: Json) -> Json:
     """The answer to one message; a lesson includes the lettering of its names."""
     reply = answer_to_message(message)
-    return {**reply, "letters": lesson_lettering(reply["data"])} if "data" in reply else reply
+    if "data" in reply:
+        return {**reply, "letters": lesson_lettering(reply["data"])}
+    return reply
 
 
 def answer_as_json(message: Json) -> str:

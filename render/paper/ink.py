@@ -43,7 +43,9 @@ def _numbers_of_mark(mark: Mark) -> tuple[complex, ...]:
         return (mark.start, mark.end)
     if isinstance(mark, Text):
         return (mark.place, mark.height, mark.turn_deg)
-    return (*mark.points, mark.angle_deg, mark.gap) if isinstance(mark, Hatch) else mark.points
+    if isinstance(mark, Hatch):
+        return (*mark.points, mark.angle_deg, mark.gap)
+    return mark.points
 
 
 def group_by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:

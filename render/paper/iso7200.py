@@ -76,7 +76,9 @@ def _point_on_side(upright: bool, along: float, at: float) -> complex:
 
 def _side_ends(size: Size, upright: bool) -> tuple[float, float]:
     """The ends of a side of the frame."""
-    return (EDGE_MARGIN_MM, size[1] - EDGE_MARGIN_MM) if upright else (LEFT_MARGIN_MM, size[0] - EDGE_MARGIN_MM)
+    if upright:
+        return (EDGE_MARGIN_MM, size[1] - EDGE_MARGIN_MM)
+    return (LEFT_MARGIN_MM, size[0] - EDGE_MARGIN_MM)
 
 
 def _grid_field_bounds(side: float, low: float, high: float) -> list[float]:

@@ -182,7 +182,9 @@ def _letter_gap(left: str, right: str) -> float:
         for k in (-1, 0, 1)
         if row + k in other
     )
-    return LETTER_GAP_PENS / 2 if min(near, default=math.inf) >= LETTER_GAP_PENS / 2 else LETTER_GAP_PENS
+    if min(near, default=math.inf) >= LETTER_GAP_PENS / 2:
+        return LETTER_GAP_PENS / 2
+    return LETTER_GAP_PENS
 
 
 def _clean_text(text: str) -> str:

@@ -127,7 +127,9 @@ def fit_dash_pattern(pattern: tuple[float, ...], length_mm: float, closed: bool 
     period = sum(pattern)
     ends = 0.0 if closed else pattern[0]
     stretch = length_mm / (max(1, round((length_mm - ends) / period)) * period + ends)
-    return tuple(part * stretch for part in pattern) if stretch > LEAST_PATTERN_STRETCH else ()
+    if stretch > LEAST_PATTERN_STRETCH:
+        return tuple(part * stretch for part in pattern)
+    return ()
 
 
 def arrowhead_size(length_mm: float, width_mm: float) -> tuple[float, float]:

@@ -128,11 +128,9 @@ def plate(points: Sequence[complex]) -> Marks:
 def rigid_joint_gusset(at: complex, one: complex, other: complex) -> Marks:
     """The sign of two rods rigidly joined in one link: a gusset in their angle."""
     u, v = (direction_between(at, z) for z in (one, other))
-    return (
-        (Shape((at, at + GUSSET_SIDE_MM * u, at + GUSSET_SIDE_MM * v)),)
-        if abs((u * v.conjugate()).imag) > MOST_PARALLEL_SINE
-        else ()
-    )
+    if abs((u * v.conjugate()).imag) > MOST_PARALLEL_SINE:
+        return (Shape((at, at + GUSSET_SIDE_MM * u, at + GUSSET_SIDE_MM * v)),)
+    return ()
 
 
 def dot(at: complex, radius: float = DOT_RADIUS_MM, layer: Layer = "scheme") -> Marks:
@@ -151,4 +149,6 @@ def turn_arrow(
     back = centre + radius * unit_vector(start_deg + sweep_deg - covered)
     low, high = sorted((start_deg, start_deg + sweep_deg - 0.8 * covered))
     arc = Arc(centre, radius, low, high, style, layer)
-    return (arc, Shape(arrowhead_corners(tip, tip - back, long, wide), layer)) if long else (arc,)
+    if long:
+        return (arc, Shape(arrowhead_corners(tip, tip - back, long, wide), layer))
+    return (arc,)

@@ -172,7 +172,9 @@ def _blank_width_ratios(text: str, face: Face) -> tuple[float, float]:
 
 def _run_width(text: str, height: float, face: Face) -> float:
     """Width in mm of the ink of a run, as if upright."""
-    return outlines.line_ink_width(text, height, face.font) if face.font else lettering.line_ink_width(text, height)
+    if face.font:
+        return outlines.line_ink_width(text, height, face.font)
+    return lettering.line_ink_width(text, height)
 
 
 def _run_strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:

@@ -130,11 +130,9 @@ def _view_by_name(name: str, block: DrawnViews, composer: Composer, plotted: Plo
         return make_view(name, "", Scheme(position, naming).drawn_marks(True, *special_point_marks(position, naming)))
     if kind == "loaded":
         forces = ForceSheet(composer)
-        return (
-            forces.single_link_view(position, asked_for)
-            if asked_for
-            else replace(forces.loaded_scheme_view(position), title="")
-        )
+        if asked_for:
+            return forces.single_link_view(position, asked_for)
+        return replace(forces.loaded_scheme_view(position), title="")
     if kind == "group" and (group := ForceSheet(composer).group_view(position, asked_for, force_plan_links(asked_for))):
         return replace(group, title="")
     if kind == "studio":
@@ -154,7 +152,9 @@ def _view_by_name(name: str, block: DrawnViews, composer: Composer, plotted: Plo
 def _name_with_mu(name: str, composer: Composer, plotted: Plotted) -> str:
     """A view's name with its μ, unbroken across lines."""
     mu = composer.title_mu(plotted, "position" if name == "scheme" else name).replace(" ", "\u00a0")
-    return mu if name == "scheme" else f"{composer.plan_name(name).lower()}, {mu}"
+    if name == "scheme":
+        return mu
+    return f"{composer.plan_name(name).lower()}, {mu}"
 
 
 def views_in_rows(views: list[View]) -> list[Shown]:

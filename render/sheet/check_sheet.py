@@ -79,11 +79,9 @@ def compose_check_sheet(size_mm: tuple[float, float], sheet: Overlay) -> tuple[l
     out: list[Mark] = [frame_line((LEFT_MARGIN_MM, EDGE_MARGIN_MM, w - EDGE_MARGIN_MM, h - EDGE_MARGIN_MM), "thick")]
     said, top = _heading_marks(sheet, w, h)
     tables, size = _table_marks(sheet)
-    x0, x1, low = (
-        LEFT_MARGIN_MM + PART_GAP_MM,
-        w - EDGE_MARGIN_MM - PART_GAP_MM,
-        EDGE_MARGIN_MM + PART_GAP_MM + 2 * LINE_PITCH_MM,
-    )
+    x0 = LEFT_MARGIN_MM + PART_GAP_MM
+    x1 = w - EDGE_MARGIN_MM - PART_GAP_MM
+    low = EDGE_MARGIN_MM + PART_GAP_MM + 2 * LINE_PITCH_MM
     room = PART_GAP_MM if tables else 0.0
     beside = fit_plans(sheet, (x0, low, x1 - size.real - room, top)), complex(x1 - size.real, top)
     under = fit_plans(sheet, (x0, low + size.imag + room, x1, top)), complex(x0, low + size.imag)
@@ -102,7 +100,8 @@ def compose_check_sheet(size_mm: tuple[float, float], sheet: Overlay) -> tuple[l
 
 def _heading_marks(sheet: Overlay, w: float, h: float) -> tuple[list[Mark], float]:
     """Title, sentence and notes, and the height where they end."""
-    left, top = LEFT_MARGIN_MM + PART_GAP_MM, h - EDGE_MARGIN_MM - PART_GAP_MM
+    left = LEFT_MARGIN_MM + PART_GAP_MM
+    top = h - EDGE_MARGIN_MM - PART_GAP_MM
     out = list[Mark]()
     parts = [
         (sheet.sentence, USUAL_LETTER_MM, LINE_PITCH_MM),
@@ -126,7 +125,8 @@ def _table_marks(sheet: Overlay) -> tuple[list[Mark], complex]:
         places = [z for m in drawn if isinstance(m, Line) for z in m.points]
         start = low - PART_GAP_MM if out else 0.0
         out += [move_mark(m, 1j * start) for m in drawn]
-        wide, low = max(wide, *(z.real for z in places)), start + min(z.imag for z in places)
+        wide = max(wide, *(z.real for z in places))
+        low = start + min(z.imag for z in places)
     return out, complex(wide, -low)
 
 

@@ -67,7 +67,8 @@ class Columns:
                 worst = best.total_cost + self._table_order_cost(now) - self._table_order_cost(tried) - 1e-9
                 columns = self.reordered_columns(tried)
                 if worst > 0 and columns.total_cost < worst:
-                    best, now = columns, tried
+                    best = columns
+                    now = tried
         return now, best
 
     def reordered_columns(self, order: Sequence[int]) -> "Columns":
@@ -77,14 +78,18 @@ class Columns:
     @cached_property
     def total_cost(self) -> float:
         """The cost of these columns; less than ``OVER`` where every view has room."""
-        return float(self._costs_by_end_unit.min()) if self._field_is_large_enough else math.inf
+        if self._field_is_large_enough:
+            return float(self._costs_by_end_unit.min())
+        return math.inf
 
     @cached_property
     def has_no_arrangement(self) -> bool:
         """Whether the views have no room wherever the movable tables are: the others have none by themselves, or none
         with some table among them."""
         moved = [k for k, item in enumerate(self.items) if k and item.loose]
-        piece, last, units = self.all_views_piece, self.stacking.least_unit_for_columns, self.stacking.module.unit_count
+        piece = self.all_views_piece
+        last = self.stacking.least_unit_for_columns
+        units = self.stacking.module.unit_count
         fixed = tuple(size for k, size in enumerate(piece) if k not in moved)
         among = (((*fixed[:at], piece[k], *fixed[at:]) for at in range(1, len(fixed) + 1)) for k in moved)
         return last(fixed) > units or any(all(last(some) > units for some in ways) for ways in among)
@@ -101,10 +106,8 @@ class Columns:
     @cached_property
     def view_spots(self) -> list[Spot]:
         """The place of every view; all columns begin at one level, if there is room beneath it."""
-        free, ways = (
-            self.stacking.module.free_height_interval,
-            (*map(self._columns_spread_out, (True, False)), self._cheapest_columns),
-        )
+        free = self.stacking.module.free_height_interval
+        ways = (*map(self._columns_spread_out, (True, False)), self._cheapest_columns)
         columns = next((way for way in ways if self._fit_beneath_level(way)), self._cheapest_columns)
         level = min(free(x, end)[0] for _, x, end in columns)
         level = level if self._fit_beneath_level(columns, level) else math.inf
@@ -112,7 +115,8 @@ class Columns:
 
     def _fit_beneath_level(self, columns: Sequence[Column], level: float = math.inf) -> bool:
         """Whether columns have room beneath a level."""
-        free, high = self.stacking.module.free_height_interval, self.stacking.least_heights
+        free = self.stacking.module.free_height_interval
+        high = self.stacking.least_heights
         room = ((piece, end - x, *free(x, end)) for piece, x, end in columns)
         return all(high(piece)[span] <= min(top, level) - low + 1e-9 for piece, span, top, low in room)
 
@@ -130,12 +134,15 @@ class Columns:
     @cached_property
     def _cheapest_columns(self) -> list[Column]:
         """The columns, over all units."""
-        (last, end), columns = (len(self.items), int(self._costs_by_end_unit.argmin())), list[Column]()
+        last = len(self.items)
+        end = int(self._costs_by_end_unit.argmin())
+        columns = list[Column]()
         while last:
             ways = numpy.stack([way[end] for way in self._costs_by_last_column(last)])
             back, span = map(int, numpy.unravel_index(ways.argmin(), ways.shape))
             columns.insert(0, (self.all_views_piece[last - 1 - back : last], end - span, end))
-            last, end = last - 1 - back, end - span
+            last = last - 1 - back
+            end = end - span
         return columns
 
     @cached_property
@@ -149,20 +156,20 @@ class Columns:
         ``flush`` over the title block, if it is no wider."""
         highs = [self.stacking.least_heights(piece)[: end - unit + 1] for piece, unit, end in self._cheapest_columns]
         needs = [int((high > high[-1] + 1e-9).sum()) for high in highs]
-        block, units = self.stacking.module.title_block_unit, self.stacking.module.unit_count
+        block = self.stacking.module.title_block_unit
+        units = self.stacking.module.unit_count
         last = block if flush and sum(needs[:-1]) <= block and needs[-1] <= units - block else units - needs[-1]
-        spare, gaps = last - sum(needs[:-1]), max(len(needs) - 1, 1)
+        spare = last - sum(needs[:-1])
+        gaps = max(len(needs) - 1, 1)
         lefts = [sum(needs[:k]) + spare * k // gaps for k in range(len(needs))]
         return [(piece, x, x + n) for (piece, _, _), x, n in zip(self._cheapest_columns, lefts, needs, strict=True)]
 
     def _least_costs(self, last: int) -> tuple[Array, Array]:
         """The lowest costs of the first views in the first units; and the cost before a column begins, by its end and
         its span."""
-        known, key, module = (
-            self.stacking.broken,
-            (self.all_views_piece[:last], self.break_costs[:last]),
-            self.stacking.module,
-        )
+        known = self.stacking.broken
+        key = (self.all_views_piece[:last], self.break_costs[:last])
+        module = self.stacking.module
         if key not in known:
             costs = (
                 reduce(numpy.minimum, self._costs_by_last_column(last)).min(axis=1) if last else module.starting_costs
@@ -179,7 +186,8 @@ class Columns:
             part = self.all_views_piece[k:last]
             if k < last - 1 and stacking.least_heights(part)[-1] > most:
                 break
-            begun, torn = self._least_costs(k)[1], self.break_costs[k]
+            begun = self._least_costs(k)[1]
+            torn = self.break_costs[k]
             yield (begun + torn if torn else begun) + self.column_costs(part)
 
     def column_costs(self, piece: Piece) -> Array:
@@ -194,7 +202,8 @@ class Columns:
 
     def _column_spots(self, piece: Piece, unit: int, end: int, level: float) -> Iterator[Spot]:
         """The views of a column from a level downwards, its white space shared between its rows."""
-        (free, low), span = self.stacking.module.free_height_interval(unit, end), end - unit
+        free, low = self.stacking.module.free_height_interval(unit, end)
+        span = end - unit
         top = min(free, level)
         rows = self.stacking.rows_of_piece(piece, span)
         spare = (top - low - sum(self.stacking.least_heights(row)[span] for row in rows)) / max(len(rows) - 1, 1)

@@ -132,7 +132,8 @@ class Composer:
     def title_mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = plan_kind(plan)
-        letter, unit = MU_INDEX_OF_PLAN_KIND.get(kind, ""), kind
+        letter = MU_INDEX_OF_PLAN_KIND.get(kind, "")
+        unit = kind
         if kind == "motion" and self.stated:
             unit = "position" if self.stated.mechanism.drive.rotates else "vectors"
         return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu_with_unit(plotted.plan_mu(plan), unit)}"
@@ -215,7 +216,9 @@ class Composer:
 
         def make() -> View | None:
             marks = MomentLines(position, self.naming, NEXT_LARGER_LETTER_MM[letter]).drawn_marks(links)
-            return make_view("moments", "" if links else say("moments", self.lang), marks) if marks else None
+            if marks:
+                return make_view("moments", "" if links else say("moments", self.lang), marks)
+            return None
 
         mus = tuple(position.scales.get(mu_name(plan)) for plan in ("position", "lever"))
         return self.cached_text_view(("moments", letter, links, mus), make)

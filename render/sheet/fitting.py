@@ -223,7 +223,8 @@ def lay_out_views(
         and contents.lettered_views(*how)[1]
         and any(v.unreadable_labels for v in views)
     )
-    placed, every = list[PlacedView](), group_into_blocks(views)
+    placed = list[PlacedView]()
+    every = group_into_blocks(views)
     for k, spot in (
         zip(order, best.view_spots, strict=True) if best.total_cost < OVERFULL_COLUMN_COST and not knotted else ()
     ):

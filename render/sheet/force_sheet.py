@@ -27,11 +27,13 @@ class ForceSheet:
     def all_views(self, position: Position, scheme: Position, letter: float) -> list[View]:
         """The scheme with loads, which may be larger; every group with its forces and its plan, the driver, the lever,
         tables, all at one choice of μ, used for the arms everywhere."""
-        c, (plotted, links_apart) = self.composer, plot_with_single_links(position)
+        c = self.composer
+        plotted, links_apart = plot_with_single_links(position)
         every_view: list[View | None] = [self.loaded_scheme_view(scheme)]
         for plan in position.plans.plan_names:
             if plan_kind(plan) == "force":
-                links, single = force_plan_links(plan), links_apart[plan]
+                links = force_plan_links(plan)
+                single = links_apart[plan]
                 moments = c.moments_view(position, letter, links)
                 step = [
                     c.stack_existing_views("group", self.group_view(position, plan, links), moments, gap=5.0),
@@ -105,7 +107,8 @@ class ForceSheet:
         self, plotted: Plotted, apart: Sequence[LinkApart], letter: float, polygons: bool
     ) -> list[View]:
         """The plans of single links with their equations; or only the equations where just two forces act."""
-        c, drawn = self.composer, [x for x in apart if x.polygon is polygons and plotted.has_marks(x.plan, POLE_LABEL)]
+        c = self.composer
+        drawn = [x for x in apart if x.polygon is polygons and plotted.has_marks(x.plan, POLE_LABEL)]
         return [
             c.stack_existing_views(
                 x.plan, c.plan(plotted, x.plan) if polygons else None, c.equations_view(plotted, (x.plan,), letter, "")
@@ -125,7 +128,8 @@ class ForceSheet:
 
     def lever_view(self, position: Position, letter: float) -> View | None:
         """Zhukovsky's lever with its moment equation."""
-        c, drawer = self.composer, Lever(position, self.composer.naming)
+        c = self.composer
+        drawer = Lever(position, self.composer.naming)
         if full_mark_name("lever", POLE_LABEL) not in position.drawing:
             return None
         kind = "motion" if position.plans.at_rest else "velocity"

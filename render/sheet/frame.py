@@ -97,7 +97,9 @@ class Paper:
         """Areas of the field not available for views: the title block, and graph 26 in the upper left corner."""
         left, _, _, top = self.field
         wide, high = self.form.top_cell or (0.0, 0.0)
-        return (self.title_block, (left, top - high, left + wide, top)) if high else (self.title_block,)
+        if high:
+            return (self.title_block, (left, top - high, left + wide, top))
+        return (self.title_block,)
 
     def frame_marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> Marks:
         """Frame, title block and the columns beside the frame, with the cells filled."""
@@ -166,10 +168,8 @@ def _largest_fitting_lines(
     word in a line slightly narrowed; None if they fit at none."""
     width = wide - 2 * max(_CELL_CLEARANCE_RATIO * sizes[0], _LEAST_SIDE_GAP_MM)
     for size in sizes:
-        lines, word = (
-            [x for part in parts for x in _even_lines(part, width, size)],
-            wide - 2 * _LEAST_SIDE_GAP_MM - PEN_WIDTH_RATIO * size,
-        )
+        lines = [x for part in parts for x in _even_lines(part, width, size)]
+        word = wide - 2 * _LEAST_SIDE_GAP_MM - PEN_WIDTH_RATIO * size
         fits = all(ink_width(x, size) <= (width if " " in x else max(width, word / _LEAST_NARROWING)) for x in lines)
         if fits and _line_count(height, size) >= len(lines):
             return lines, size
@@ -179,7 +179,9 @@ def _largest_fitting_lines(
 def _even_lines(text: str, width: float, size: float) -> list[str]:
     """A text in as few lines of a width as possible, of roughly equal length."""
     lines = wrap_text(_WORD_BREAK_PATTERN.split(text), width, size)
-    return _at_most_lines(text, len(lines), size) if len(lines) > 1 else lines or [""]
+    if len(lines) > 1:
+        return _at_most_lines(text, len(lines), size)
+    return lines or [""]
 
 
 def _at_most_lines(text: str, most: int, size: float) -> list[str]:
@@ -232,7 +234,8 @@ def cell_texts(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     texts["sheet"] = said.get("sheet", str(number or ""))
     texts["sheets"] = said.get("sheets", "2" if number else "1")
     texts["sheet_of"] = "/".join(texts[key] for key in ("sheet", "sheets") if texts[key])
-    letters, revisions = given.get("letter", say("study_letter", lang)), given.get("revisions")
+    letters = given.get("letter", say("study_letter", lang))
+    revisions = given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
         texts[f"letter_{k}"] = _value_text(letter, lang)  # graph 4, filled from its left cell
         texts["status"] = f"{texts.get('status', '')} {texts[f'letter_{k}']}".strip() if "letter" in given else ""
@@ -243,4 +246,6 @@ def cell_texts(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
 
 
 def _value_text(value: object, lang: Lang) -> str:
-    return with_minus_and_decimal_sign(f"{value:g}", lang) if isinstance(value, float) else str(value)
+    if isinstance(value, float):
+        return with_minus_and_decimal_sign(f"{value:g}", lang)
+    return str(value)

@@ -65,7 +65,9 @@ class Module:
     @property
     def _distance_to_title_block(self) -> float:
         """The distance from the first unit to the title block."""
-        return max(0.0, self.taken[0][0] - self.inside[0] - VIEW_GAP_MM) if self.taken else 0.0
+        if self.taken:
+            return max(0.0, self.taken[0][0] - self.inside[0] - VIEW_GAP_MM)
+        return 0.0
 
     def left(self, unit: int) -> float:
         """The left edge of a unit."""
@@ -77,8 +79,10 @@ class Module:
 
     def free_height_interval(self, unit: int, end: int) -> tuple[float, float]:
         """The free interval of height for a column of some units."""
-        x0, x1 = self.left(unit) - VIEW_GAP_MM, self.left(end)
-        low, top = self.inside[1], self.inside[3]
+        x0 = self.left(unit) - VIEW_GAP_MM
+        x1 = self.left(end)
+        low = self.inside[1]
+        top = self.inside[3]
         for left, lower, right, upper in self.taken:
             if left < x1 - 1e-6 and x0 < right:
                 low, top = (upper, top) if lower <= low else (low, min(top, lower))

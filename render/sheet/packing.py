@@ -24,10 +24,8 @@ def group_into_blocks(views: Sequence[View]) -> list[list[View]]:
 
 def stacking_for_paper(views: Sequence[View], paper: Paper) -> Stacking:
     """How views may fill the module, with the results for earlier columns."""
-    wide, usual = (
-        max((v.width for b in group_into_blocks(views) for v in b), default=0.0),
-        Module(paper.field, paper.occupied_areas),
-    )
+    wide = max((v.width for b in group_into_blocks(views) for v in b), default=0.0)
+    usual = Module(paper.field, paper.occupied_areas)
     return stacking_for_module(usual if usual.span_of_width(wide) <= usual.most_span else replace(usual, wide=wide))
 
 

@@ -51,9 +51,11 @@ class Project:
 
     def kinematics_views(self, position: Position, size: float, letter: float, together: Together) -> list[View]:
         """Sheet 1: scheme in many positions, groups, velocity and acceleration plans, tables, diagrams."""
-        c, plotted = self.composer, plot_position(position)
+        c = self.composer
+        plotted = plot_position(position)
         rates = [p for p in drawn_plans(plotted, position) if plan_kind(p) != "force"]
-        t, plans = c.make_tables(position, letter), c.plan_views(plotted, rates, letter, together.equations)
+        t = c.make_tables(position, letter)
+        plans = c.plan_views(plotted, rates, letter, together.equations)
         for k, (plan, v) in enumerate(zip(rates, plans, strict=False)):
             if v:
                 plans[k] = replace(v, block="rates", plumb=v.inked[0] - c.plan(plotted, plan).inked[0])  # of its pole
@@ -86,8 +88,10 @@ class Project:
             return c.scheme_view(position)
 
         def make() -> View:
-            many, title = self.many_positions(position, mu), c.title_with_mu(position, "scheme")
-            scheme, thin = Scheme(position, c.naming), many.marks
+            many = self.many_positions(position, mu)
+            title = c.title_with_mu(position, "scheme")
+            scheme = Scheme(position, c.naming)
+            thin = many.marks
             angle, named = driver_angle(scheme.places, c.naming)
             strokes = many.stroke_dimensions(c.lang)
             frame = frame_dimensions(scheme.places, mu, box_around_marks([*thin, *draw_dimensions(strokes)]), c.lang)
@@ -133,7 +137,8 @@ class Project:
 
     def structure_view(self, position: Position, letter: float) -> View:
         """The primary mechanism and the Assur groups separately, with W, q and the structural formula."""
-        c, structure = self.composer, position.plans.structure
+        c = self.composer
+        structure = position.plans.structure
         parts = [self.links_view(position, (structure.driver,), say("primary", c.lang), True, letter)]
         for g in structure.groups:
             text = say(
@@ -172,7 +177,8 @@ class Project:
 
     def links_view(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
-        c, mu = self.composer, scheme_mu(position)
+        c = self.composer
+        mu = scheme_mu(position)
         drawer = Scheme(position, c.naming, links, framed)
         drawn = c.cached_view(("part", links, mu), lambda: make_view("part", "", drawer.drawn_marks(False)))
         return stack_views("part", [drawn, make_view("part", "", [Text(text, 0j, letter, "middle")])], 3.0, True)
@@ -181,11 +187,14 @@ class Project:
         """Diagrams of motion over the driver's range."""
         if sum(r is not None for r in self.turn) < 3:
             return None
-        c, section = self.composer, section_width_mm(size)
+        c = self.composer
+        section = section_width_mm(size)
         drawer = Diagrams(position.plans, self.values, [[c] for c in self.curves], c.naming, section, self.whole)
         return c.cached_view(("diagrams", section), lambda: make_view("diagrams", drawer.title, drawer.drawn_marks()))
 
     def hodographs_view(self) -> View | None:
         """The hodographs named in the scene."""
         c = self.composer
-        return c.cached_view(("hodographs",), lambda: hodograph_view(self.loops, c.naming)) if self.loops else None
+        if self.loops:
+            return c.cached_view(("hodographs",), lambda: hodograph_view(self.loops, c.naming))
+        return None

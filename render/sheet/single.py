@@ -96,7 +96,8 @@ def mechanism_view_makers(
 
 def vector_view_makers(position: Position, composer: Composer) -> Makers:
     """The views of a scene of vectors alone."""
-    plotted, tables = plot_position(position), composer.make_tables(position, TABLE_LETTER_MM)
+    plotted = plot_position(position)
+    tables = composer.make_tables(position, TABLE_LETTER_MM)
     shown = tuple(drawn_plans(plotted, position))
     own: Makers = {
         "space": partial(composer.space_diagram_view, position),
@@ -117,7 +118,9 @@ def vector_view_makers(position: Position, composer: Composer) -> Makers:
 
 def plan_view_name(plan: str) -> str:
     """The name of a plan's view."""
-    return plan.replace(":", "-") if plan_kind(plan) in ("force", "vectors") else f"{plan}-plan"
+    if plan_kind(plan) in ("force", "vectors"):
+        return plan.replace(":", "-")
+    return f"{plan}-plan"
 
 
 def traced_plans_page(drawing: Drawing, lang: Lang = "ru") -> Page | None:

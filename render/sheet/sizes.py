@@ -37,13 +37,15 @@ Extents = Callable[[Sizes], Mapping[str, float]]
 
 def grow_plan_sizes(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], bool]) -> Sizes:
     """Sizes with every plan as large as the sheet allows: the smallest first, one step of μ at a time."""
-    sizes, now = start, dict(extents(start))
+    sizes = start
+    now = dict(extents(start))
     growing = set(now)
     while growing:
         plan = min(sorted(growing), key=now.__getitem__)
         larger = _next_larger_sizes(sizes, plan, extents, now[plan])
         if larger and extents(larger)[plan] <= most and fits(larger):
-            sizes, now = larger, dict(extents(larger))
+            sizes = larger
+            now = dict(extents(larger))
         else:
             growing.discard(plan)
     return sizes

@@ -62,13 +62,16 @@ class Stacking:
 
     def _row_number(self, piece: Piece) -> int:
         """The row of ``highs`` of a piece, once its heights are known."""
-        return self.numbers[piece] if piece in self.numbers else self._compute_heights(piece)
+        if piece in self.numbers:
+            return self.numbers[piece]
+        return self._compute_heights(piece)
 
     def _compute_heights(self, piece: Piece) -> int:
         """The results for more than one view."""
         above = [self._row_number(piece[:k]) for k in range(1, len(piece))]
         below = [self._row_number(piece[k:]) for k in range(1, len(piece))]
-        first, second = self.highs[above], self.highs[below]
+        first = self.highs[above]
+        second = self.highs[below]
         high = numpy.minimum.reduce(first + VIEW_GAP_MM + second)
         if any(self.least[a] + self.least[b] < len(high) for a, b in zip(above, below, strict=True)):
             left, right, begun = _unit_divisions(len(high))

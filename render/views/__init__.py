@@ -43,7 +43,8 @@ class View:
         """The marks with the title, which begins at their left edge, and the box of all."""
         if not self.title:
             return self.body, self.inked
-        (left, low, right, top), (x0, y0, x1, y1) = self.inked, ink_bounds(self.title, self.heading)
+        left, low, right, top = self.inked
+        x0, y0, x1, y1 = ink_bounds(self.title, self.heading)
         text = Text(self.title, complex(left - x0, top + TITLE_GAP_MM - y0), self.heading, name=f"title {self.key}")
         return (*self.body, text), (left, low, max(right, left - x0 + x1), text.place.imag + y1)
 
@@ -86,7 +87,8 @@ def make_view(key: str, title: str, marks: Iterable[Mark], figure: bool = False,
 
 def remark_texts(text: str, marks: Iterable[Mark]) -> list[Text]:
     """A remark about the marks, in small letters beneath them, from their left edge, no wider than they are."""
-    (x0, y0, x1, _), high = box_around_marks(tuple(marks)), figure_letter_height(REMARK_LETTER_MM)
+    x0, y0, x1, _ = box_around_marks(tuple(marks))
+    high = figure_letter_height(REMARK_LETTER_MM)
     wide = max(x1 - x0, LEAST_REMARK_LETTERS * high)
     lines = wrap_text(text, wide, high)
     if " " not in lines[-1]:
@@ -103,7 +105,8 @@ def paragraph_view(key: str, title: str, text: str, width: float, letter: float)
 def stack_views(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = False) -> View:
     """Views one beneath another, flush left or centred, as one view with the title of the first."""
     marks = list[Mark]()
-    y, boxes = 0.0, list[Bounds]()
+    y = 0.0
+    boxes = list[Bounds]()
     for one in (replace(views[0], title=""), *views[1:]):
         by = complex(-(one.box[0] + one.box[2]) / 2 if centred else -one.box[0], y - one.box[3])
         marks += (move_mark(mark, by) for mark in one.marks)
@@ -111,7 +114,8 @@ def stack_views(key: str, views: Sequence[View], gap: float = 6.0, centred: bool
         boxes.append((left + by.real, low + by.imag, right + by.real, top + by.imag))
         y = boxes[-1][1] - gap
     lefts, lows, rights, tops = zip(*boxes, strict=True)
-    box, unseen = (min(lefts), min(lows), max(rights), max(tops)), tuple(s for v in views for s in v.unseen)
+    box = (min(lefts), min(lows), max(rights), max(tops))
+    unseen = tuple(s for v in views for s in v.unseen)
     return replace(views[0], key=key, body=tuple(marks), inked=box, unseen=unseen)
 
 

@@ -49,7 +49,9 @@ class AlignedScheme(Scheme):
     def direction_to_link(self, z: complex, link: str) -> complex:
         """The direction from a pair towards the rest of a link."""
         points = [self.places.point_place(p) - z for p in self.mechanism.link(link).points if self.places.is_drawn(p)]
-        return max((w for w in points if abs(w) > 1.0), key=abs, default=0j) if link != FRAME else 0j
+        if link != FRAME:
+            return max((w for w in points if abs(w) > 1.0), key=abs, default=0j)
+        return 0j
 
     def add_slider(self, link: Link, foot: complex, along: complex) -> None:
         """A cylindrical slider is a bushing: the round rod is visible through it, its axis chain-dotted."""
@@ -80,7 +82,8 @@ class AlignedScheme(Scheme):
 
 def _bushing_edges(foot: complex, angle: float, size: tuple[float, float]) -> Marks:
     """Short strokes over both ends of a slider's block: the edges of its bore."""
-    along, (long, wide) = symbols.unit_vector(angle), size
+    along = symbols.unit_vector(angle)
+    long, wide = size
     starts = (foot + side * 1j * along * (0.28 * wide) for side in (-1, 1))
     return tuple(Line((z - long / 2 * along, z + long / 2 * along), "thin") for z in starts)
 
@@ -99,19 +102,19 @@ def alignment_view(position: Position, aligned: Aligned, naming: Naming, title: 
 
 def alignment_text_view(aligned: Aligned, naming: Naming, title: str, letter: float) -> View:
     """Count and signs."""
-    count, signs = (
-        make_view("self-aligning", title, mobility_formula(aligned, letter)),
-        pair_sign_legend(aligned, naming, letter),
-    )
+    count = make_view("self-aligning", title, mobility_formula(aligned, letter))
+    signs = pair_sign_legend(aligned, naming, letter)
     return stack_views("self-aligning", [count, signs])
 
 
 def mobility_formula(aligned: Aligned, letter: float) -> list[Mark]:
     """The formula of Somov and Malyshev, with its numbers beneath."""
     p1, p2, p3 = aligned.pair_counts_by_class
-    freedom, redundant = aligned.degree_of_freedom, aligned.redundant_constraints
+    freedom = aligned.degree_of_freedom
+    redundant = aligned.redundant_constraints
     numbers = f"= 6·{aligned.n} − 5·{p1} − 4·{p2} − 3·{p3} = {freedom};   q = {redundant}"
-    lines, high = ("W = 6n − 5p_{1} − 4p_{2} − 3p_{3} =", numbers), 1.4 * letter
+    lines = ("W = 6n − 5p_{1} − 4p_{2} − 3p_{3} =", numbers)
+    high = 1.4 * letter
     return [Text(line, complex(0, -1.9 * high * k), high) for k, line in enumerate(lines)]
 
 

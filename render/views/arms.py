@@ -57,7 +57,8 @@ class Arms:
 
     def add_arm(self, arm: Arm) -> None:
         """Add an arm; of one too short to see only its name."""
-        ends, text = (arm.about, arm.foot), arm.name
+        ends = (arm.about, arm.foot)
+        text = arm.name
         if arm.length < LEAST_ARM_MM:
             self.short.append(text)
             return
@@ -79,7 +80,8 @@ def nonzero_terms(drawing: Drawing, equation: Moments) -> list[tuple[str, str, f
     if not isinstance(made, Calculate):
         return []
     values = [float(term.product_value(drawing.things, Arithmetic())) for term in made.terms]
-    least, steps = ZERO_MOMENT_RATIO * max(map(abs, values), default=0.0), arm_steps_by_result(drawing)
+    least = ZERO_MOMENT_RATIO * max(map(abs, values), default=0.0)
+    steps = arm_steps_by_result(drawing)
     terms = [(name, arm, v) for (name, arm), v in zip(equation.terms, values, strict=False) if abs(v) > least]
     return [one for one in terms if one[1] not in steps or arm_length_mm(drawing, steps[one[1]]) > ZERO_ARM_MM]
 
@@ -96,7 +98,8 @@ def arm_steps_by_result(drawing: Drawing) -> dict[str, Drop]:
 
 def line_with_break(start: complex, end: complex) -> list[Mark]:
     """A guide extended to a line of action too far for the paper: shortened by a break."""
-    along, middle = direction_between(start, end), (start + end) / 2
+    along = direction_between(start, end)
+    middle = (start + end) / 2
     zigzag = [
         middle + z * along
         for z in (-HALF_BREAK_GAP_MM, complex(-0.3, 0.8) * HALF_BREAK_GAP_MM, complex(0.3, -0.8) * HALF_BREAK_GAP_MM)

@@ -31,9 +31,12 @@ class BeamDiagrams:
 
     def drawn_marks(self) -> Marks:
         """The beam with its letters, and the diagrams beneath it."""
-        marks, named, y = list[Mark](), list[Label](), -8.0
+        marks = list[Mark]()
+        named = list[Label]()
+        y = -8.0
         stops = {p: self.mu * x for p, x in self.found.stops.items()}
-        left, right = min(stops.values()), max(stops.values())
+        left = min(stops.values())
+        right = max(stops.values())
         marks.append(Line((complex(left), complex(right)), "thick"))
         named += [
             Label(self.naming.lettered_point(p), complex(self.mu * x), POINT_LETTER_MM, 1j, 0.8, name=p)
@@ -69,7 +72,8 @@ class BeamDiagrams:
     def diagram_marks(self, outline: Outline, y: float, most: float) -> list[Mark]:
         """The line of zero, the outline, and the hatching between."""
         spots = [self.ordinate_end(x, v, y, most) for x, v in outline]
-        left, right = spots[0].real, spots[-1].real
+        left = spots[0].real
+        right = spots[-1].real
         marks: list[Mark] = [Line((complex(left, y), complex(right, y)), "vector")]
         marks.append(Line(tuple(spots), "result", "result"))
         count = int((right - left) / HATCH_SPACING_MM)
@@ -84,7 +88,8 @@ class BeamDiagrams:
 
     def value_labels(self, outline: Outline, y: float, most: float) -> list[Label]:
         """The values where the outline bends or jumps, and the greatest."""
-        stops, shown = set(self.found.stops.values()), dict[tuple[float, float], None]()
+        stops = set(self.found.stops.values())
+        shown = dict[tuple[float, float], None]()
         extreme = max(outline, key=lambda one: abs(one[1]))
         for x, v in outline:
             if (any(abs(x - s) < ZERO_RATIO * max(stops) for s in stops) or (x, v) == extreme) and abs(

@@ -24,7 +24,9 @@ class Cremona:
 
     def drawn_marks(self) -> Marks:
         """All marks with their letters."""
-        marks, named, regions = list[Mark](), list[Label](), dict[str, complex]()
+        marks = list[Mark]()
+        named = list[Label]()
+        regions = dict[str, complex]()
         senses = member_strains(self.plotted.figure, self.plotted.drawing)
         for s in self.plotted.drawn_segments(CREMONA_PLAN):
             start, end = ends = self.plotted.vector_ends(CREMONA_PLAN, s)

@@ -63,7 +63,8 @@ class Detail:
     def visible_stroke_part(self, ends: Ends) -> Ends | None:
         """The part of a straight stroke within the detail, enlarged; None if there is almost nothing."""
         a, b = map(self.enlarged_place, ends)
-        reach, way = self.times * self.radius, direction_between(a, b)
+        reach = self.times * self.radius
+        way = direction_between(a, b)
         back = way.conjugate()
         foot = a - (a * back).real * way
         if abs(foot) >= reach:
@@ -71,7 +72,9 @@ class Detail:
         half = (reach**2 - abs(foot) ** 2) ** 0.5
         low = max((a * back).real, -half)
         high = min((b * back).real, half)
-        return (foot + low * way, foot + high * way) if high - low > 1.0 else None
+        if high - low > 1.0:
+            return (foot + low * way, foot + high * way)
+        return None
 
     def detail_contents(self, marks: Iterable[Mark], named: Sequence[Label]) -> Marks:
         """The strokes of the plan within the circle, the labels of vectors wholly inside, and the title."""
@@ -94,10 +97,13 @@ class Detail:
         """The visible part of one mark."""
         if isinstance(mark, Arrow) or (isinstance(mark, Line) and len(mark.points) == 2):
             ends = (mark.start, mark.end) if isinstance(mark, Arrow) else (mark.points[0], mark.points[1])
-            piece, name = self.visible_stroke_part(ends), mark.name and mark.name + DETAIL_NAME_SUFFIX
+            piece = self.visible_stroke_part(ends)
+            name = mark.name and mark.name + DETAIL_NAME_SUFFIX
             if piece and isinstance(mark, Arrow) and self.contains_place(mark.end):
                 return [replace(mark, start=piece[0], end=piece[1], name=name)]
-            return [Line(piece, mark.style, mark.layer, name=name)] if piece else []
+            if piece:
+                return [Line(piece, mark.style, mark.layer, name=name)]
+            return []
         if isinstance(mark, (Arc, Shape)):
             at = mark.centre if isinstance(mark, Arc) else sum(mark.points) / len(mark.points)
             return (
@@ -190,7 +196,8 @@ def put_details_beside_plan(marks: Marks, drawn: Sequence[Marks]) -> Marks:
         return marks
     x0, y0, x1, y1 = box_around_marks(marks)
     boxes = [box_around_marks(d) for d in drawn]
-    wide, high = [b[2] - b[0] + DETAIL_GAP_MM for b in boxes], [b[3] - b[1] + DETAIL_GAP_MM for b in boxes]
+    wide = [b[2] - b[0] + DETAIL_GAP_MM for b in boxes]
+    high = [b[3] - b[1] + DETAIL_GAP_MM for b in boxes]
     row = max(x1 - x0, sum(wide) - DETAIL_GAP_MM) * (y1 - y0 + max(high))
     column = (x1 - x0 + max(wide)) * max(y1 - y0, sum(high) - DETAIL_GAP_MM)
     placed = list(marks)

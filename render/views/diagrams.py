@@ -55,7 +55,8 @@ class DiagramCurve:
     @property
     def is_closed(self) -> bool:
         """Whether it ends where it begins, unlike the angle of a link that turns fully."""
-        first, last = self.values[0], self.values[-1]
+        first = self.values[0]
+        last = self.values[-1]
         size = max((abs(v) for v in self.values if v is not None), default=0.0)
         return first is not None and last is not None and abs(last - first) <= LEAST_VARIATION_RATIO * size
 
@@ -133,10 +134,13 @@ class Diagrams:
     def make_axes(self, panel: Sequence[DiagramCurve], above: float | None) -> Axes:
         """Axes of curves, beneath those that end ``above``; an axis for positions far from zero is beneath them."""
         known = [v for curve in panel for v in (*curve.values, *(v for _, v in curve.ends)) if v is not None]
-        low, high, size = min(known, default=0.0), max(known, default=0.0), max(map(abs, known), default=0.0)
+        low = min(known, default=0.0)
+        high = max(known, default=0.0)
+        size = max(map(abs, known), default=0.0)
         afar = self.to_read and panel[0].place and low * high > 0
         if not afar:
-            low, high = min(0.0, low), max(0.0, high)
+            low = min(0.0, low)
+            high = max(0.0, high)
         spread = high - low if high - low > LEAST_VARIATION_RATIO * size else size
         mu = (
             standard_mu(spread, READABLE_RANGE_MM)
@@ -156,8 +160,11 @@ class Diagrams:
 
     def panel_marks(self, panel: Sequence[DiagramCurve], axes: Axes) -> Marks:
         """Curves on their axes, with thin verticals at the numbered positions."""
-        low, zero, high = axes.zero + axes.bottom, axes.zero, axes.zero + axes.top
-        key, lang = self.driver_letter_and_unit[1], self.naming.lang
+        low = axes.zero + axes.bottom
+        zero = axes.zero
+        high = axes.zero + axes.top
+        key = self.driver_letter_and_unit[1]
+        lang = self.naming.lang
         abscissa = self.naming.lettered_vector(self.plans.drive.motion_names[0])
         sides = (self.section * k for k in range(1, SECTION_COUNT + 1))
         marks = [
@@ -179,15 +186,19 @@ class Diagrams:
                 for z, jump in continuous_runs(path, MOST_JUMP_STEP_MM)
             )
         marks += self.round_value_marks(axes) if self.to_read else ()
-        return self.with_extreme_values(panel[0], axes, marks) if len(panel) == 1 else tuple(marks)
+        if len(panel) == 1:
+            return self.with_extreme_values(panel[0], axes, marks)
+        return tuple(marks)
 
     def extreme_places(self, curve: DiagramCurve) -> list[tuple[complex, tuple[float, float]]]:
         """The least and greatest places of a curve, beneath it and above it, at the ends of the axis beside it; the
         given ones, or those of the drawn curve."""
         if curve.ends or self.to_read:
             return [*zip((-1j, 1j), curve.ends, strict=False)]
-        angles, values = curve.places or self.angles, curve.values
-        count, closed = len(angles) - 1, self.whole and curve.is_closed
+        angles = curve.places or self.angles
+        values = curve.values
+        count = len(angles) - 1
+        closed = self.whole and curve.is_closed
         known = [(v, k) for k, v in enumerate(values[:count] if closed else values) if v is not None]
         ends = []
         for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
@@ -200,7 +211,8 @@ class Diagrams:
 
     def heading_marks(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:
         """The names of the curves, each with a sample of its line if there are several, and their scale."""
-        lang, link = self.naming.lang, ""
+        lang = self.naming.lang
+        link = ""
         if not all(curve.name for curve in panel):
             link = self.naming.link_number(driven_link_and_sliding(self.plans)[0])
         names = [curve.name or f"{curve.letter}_{{{link}}}" for curve in panel]
@@ -221,7 +233,8 @@ class Diagrams:
 
     def round_value_marks(self, axes: Axes) -> list[Mark]:
         """Round values on the ordinate."""
-        lang, added = self.naming.lang, list[Mark]()
+        lang = self.naming.lang
+        added = list[Mark]()
         low, high = (axes.base + y / axes.mu for y in (axes.bottom, axes.top))
         for value in round_values_between(low, high, round_value_step(axes.mu, LEAST_ROUND_VALUE_GAP_MM)):
             z = axes.value_place(0.0, value)
@@ -231,9 +244,12 @@ class Diagrams:
 
     def with_extreme_values(self, curve: DiagramCurve, axes: Axes, marks: Sequence[Mark]) -> Marks:
         """The same with dots and values at the least and the greatest."""
-        lang, added, named = self.naming.lang, list(marks), list[Label]()
+        lang = self.naming.lang
+        added = list(marks)
+        named = list[Label]()
         for side, (place, value) in self.extreme_places(curve):
-            z, seen = axes.value_place(self.abscissa_of(place), value), abs(axes.mu * value) > 1e-6
+            z = axes.value_place(self.abscissa_of(place), value)
+            seen = abs(axes.mu * value) > 1e-6
             if seen or self.to_read:
                 added += dot(z, 0.6, "plan")
                 text = (
@@ -253,7 +269,8 @@ class Diagrams:
         axis."""
         places = [complex(self.section * k, level) for k in range(SECTION_COUNT + 1)]
         texts = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
-        (letter, key), lang = self.driver_letter_and_unit, self.naming.lang
+        letter, key = self.driver_letter_and_unit
+        lang = self.naming.lang
         turning = key == "°"
         drive = without_index_markup(self.naming.lettered_vector(self.plans.drive.motion_names[0]))
         mu = self.range_length / abs(self.angles[-1] - self.angles[0])

@@ -89,10 +89,8 @@ class Size:
 
     def is_text_clear(self, z: complex, others: Iterable[Line]) -> bool:
         """Whether a text over a place is clear of other lines."""
-        half, way = (
-            ink_width(self.text, figure_letter_height(NUMBER_LETTER_MM)) / 2 + NUMBER_RISE_MM,
-            unit_vector(self.text_angle_deg),
-        )
+        half = ink_width(self.text, figure_letter_height(NUMBER_LETTER_MM)) / 2 + NUMBER_RISE_MM
+        way = unit_vector(self.text_angle_deg)
         box = shapely.box(
             -half,
             -figure_letter_height(NUMBER_LETTER_MM),
@@ -117,7 +115,8 @@ def stroke_dimension(one: complex, other: complex, off: complex, text: str) -> S
 def frame_dimensions(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Size]:
     """The distances of the frame's hinges and of horizontal and vertical guides from the driver's pair, in true mm:
     horizontal dimensions beneath everything drawn, vertical ones at its left."""
-    sizes, pair = list[Size](), places.position.plans.structure.drive_pair.point
+    sizes = list[Size]()
+    pair = places.position.plans.structure.drive_pair.point
     if places.mechanism.drive.on != FRAME:  # the driver has no pair with the frame: from the first hinge of the frame
         pair = next((p for p in places.mechanism.frame.points if p in places.links_by_hinge), "")
     if not places.is_drawn(pair):
@@ -149,12 +148,15 @@ def _frame_places(places: Places, way: complex) -> Iterator[complex]:
 
 def driver_angle(places: Places, naming: Naming) -> Labelled:
     """The driver's angle from the x axis, about its pivot, and its name."""
-    drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair.point
+    drive = places.mechanism.drive
+    pair = places.position.plans.structure.drive_pair.point
     turn = places.position.at % 360 if drive.rotates and places.is_drawn(pair) and drive.on == FRAME else 0.0
     if not turn:
         return [], []
-    pivot, text = places.point_place(pair), f"φ_{{{naming.link_number(drive.link)}}}"
+    pivot = places.point_place(pair)
+    text = f"φ_{{{naming.link_number(drive.link)}}}"
     axis = Line((pivot, pivot + DRIVER_AXIS_LENGTH_MM), "axis", "axis")
     arc = turn_arrow(pivot, DRIVER_ANGLE_RADIUS_MM, 0, turn, layer="dimension")
-    middle, out = pivot + DRIVER_ANGLE_RADIUS_MM * unit_vector(turn / 2), unit_vector(turn / 2)
+    middle = pivot + DRIVER_ANGLE_RADIUS_MM * unit_vector(turn / 2)
+    out = unit_vector(turn / 2)
     return [axis, *arc], [Label(text, middle, NUMBER_LETTER_MM, side=out, clear=0.5, name=text)]

@@ -95,7 +95,8 @@ class Directions:
         ):
             made = self.steps_by_result[laid.length]
             rate, velocity = (name for name, _ in made.terms[0].factors) if isinstance(made, Calculate) else ("", "")
-            slid, across = self.steps_by_result.get(velocity), self.segment_direction(laid.start, laid.makes)
+            slid = self.steps_by_result.get(velocity)
+            across = self.segment_direction(laid.start, laid.makes)
             if isinstance(slid, Measure) and (way := self.segment_direction(slid.start, slid.end)) and across:
                 yield self.coriolis_figure(way, across, rate, (velocity, laid.length))
 
@@ -121,7 +122,8 @@ class Directions:
         self, ground: Sequence[Mark], vectors: Sequence[Arrow], rate: str, from_deg: float, letters: Sequence[Label]
     ) -> Sequence[Mark]:
         """A figure with its vectors and the curved arrow of an angular velocity or acceleration, and all letters."""
-        sense, (kind, link, _) = math.copysign(1.0, float(self.position.drawing[rate])), split_value_name(rate)
+        sense = math.copysign(1.0, float(self.position.drawing[rate]))
+        kind, link, _ = split_value_name(rate)
         turning = turn_arrow(
             0j, SENSE_RADIUS_LETTERS * self.letter, from_deg + sense * SENSE_START_GAP_DEG, sense * SENSE_SWEEP_DEG
         )

@@ -59,7 +59,8 @@ class Setter:
     def break_into_lines(self, words: list[Word]) -> list[list[Word]]:
         """The words in lines within the width, each but the first beginning with a sign."""
         lines: list[list[Word]] = [[]]
-        wide, gap = 0.0, WORD_GAP_RATIO * self.letter
+        wide = 0.0
+        gap = WORD_GAP_RATIO * self.letter
         for k, word in enumerate(words):
             sign = bool(_SIGN_PATTERN.match(word.text)) and not word.vector
             end = k + 1 + sign
@@ -80,7 +81,8 @@ class Setter:
     def set_line(self, words: list[Word], y: float, left: float = 0.0) -> float:
         """Set one line at base line ``y`` from ``left``; returns the lowest ink."""
         under = y + min(ink_bounds(w.text, self.letter)[1] for w in words) - 0.9
-        has_action, has_value = any(w.action for w in words), any(w.value for w in words)
+        has_action = any(w.action for w in words)
+        has_value = any(w.value for w in words)
         action_y = under - 2.2 - 1.1 * self.beneath_letter_height
         value_y = action_y - 1.75 * self.beneath_letter_height if has_action else action_y
         self.x = left
@@ -91,7 +93,8 @@ class Setter:
 
     def set_word(self, word: Word, y: float, under: float, action_y: float, value_y: float) -> None:
         """One word centred over the texts beneath it."""
-        own, wide = ink_width(word.text, self.letter), self.word_width(word)
+        own = ink_width(word.text, self.letter)
+        wide = self.word_width(word)
         middle = self.x + wide / 2
         left = middle - own / 2
         self.marks.append(Text(word.text, complex(left, y), self.letter, name=word.text))
@@ -126,7 +129,8 @@ class Formulas:
 
     def drawn_marks(self, plans: tuple[str, ...]) -> Marks:
         """All equations of these plans, from the top down."""
-        setter, y = Setter(self.letter), 0.0
+        setter = Setter(self.letter)
+        y = 0.0
         for equation in self.plotted.equations:
             shown = (self.plotted.has_marks(equation.plan, t.start, t.end) for t in equation.all_terms)
             if equation.plan in plans and all(shown):
@@ -139,7 +143,8 @@ class Formulas:
         action."""
         total = equation.total or ""
         unit = say(UNIT_OF_PLAN[plan_kind(equation.plan)], self.naming.lang)
-        first, sides = Word(self.naming.lettered_vector(total), value="" if self.asked else unit), []
+        first = Word(self.naming.lettered_vector(total), value="" if self.asked else unit)
+        sides = []
         for chain in equation.chains:
             terms = [t for t in chain if t.action != "=0"]
             if len(terms) == 1 and len(chain) > 1 and terms[0].known_part_count == 1 and not first.known:
@@ -158,17 +163,22 @@ class Formulas:
     def closed_polygon_words(self, equation: Equation) -> list[Word]:
         """The unit; both sides as stated, or the sum of all vectors of a closed polygon, equal to zero."""
         unit = say(UNIT_OF_PLAN[plan_kind(equation.plan)], self.naming.lang)
-        words, sides = [Word("", vector=False, value="" if self.asked else unit)], equation.sides_as_written
+        words = [Word("", vector=False, value="" if self.asked else unit)]
+        sides = equation.sides_as_written
         for n, side in enumerate(sides):
             words += [Word("=", vector=False)] * bool(n)
             for k, (sign, term) in enumerate(side):
                 words += [Word("−" if sign < 0 else "+", vector=False)] * bool(k or sign < 0)
                 words.append(self.term_word(term, equation.plan))
-        return [*words, Word("= 0", vector=False)] if equation.is_closed_polygon else words
+        if equation.is_closed_polygon:
+            return [*words, Word("= 0", vector=False)]
+        return words
 
     def term_word(self, term: Term, plan: str) -> Word:
         """A vector with its underlines, its line of action and, where known, its number."""
-        text, known, value = self.naming.lettered_vector(term.name), term.known_part_count, ""
+        text = self.naming.lettered_vector(term.name)
+        known = term.known_part_count
+        value = ""
         if known == 2 and not self.asked:
             length = self.plotted.vector_length_mm(plan, term)
             si = length / self.plotted.plan_mu(plan) if length > ROUNDING_NOISE_MM else 0.0
@@ -188,4 +198,6 @@ class Formulas:
                 "leans", self.naming.lang, angle=fixed_decimals_text(leaning, 1, self.naming.lang), line=text[1:]
             )
         along = parallel_vector_name(term.action)
-        return f"∥{self.naming.lettered_vector(along)}" if along else written_line_of_action(term.action)
+        if along:
+            return f"∥{self.naming.lettered_vector(along)}"
+        return written_line_of_action(term.action)

@@ -76,7 +76,8 @@ class Graphical:
 
     def diagram_marks(self, stage: Stage, k: int, zero: complex, bottom: float, top: float) -> list[Mark]:
         """Axes, sections, the exact curve, the construction and its result."""
-        wide, n = self.mark_place(stage.plan, "t").real, self.construction.motion.section_count
+        wide = self.mark_place(stage.plan, "t").real
+        n = self.construction.motion.section_count
         ends = ((zero + wide * k / n + 1j * y for y in (bottom - 1.5, top + 1.5)) for k in range(1, n + 1))
         marks: list[Mark] = [Line(tuple(two), "construction", "construction") for two in ends]
         marks += [
@@ -91,7 +92,8 @@ class Graphical:
 
     def heading_text(self, stage: Stage, k: int) -> str:
         """The quantity and its scale, with its formula."""
-        c, letters = self.construction, "sva" if self.construction.motion.slides else "φωε"
+        c = self.construction
+        letters = "sva" if self.construction.motion.slides else "φωε"
         own = letters[stage.rank]
         text = f"{own}_{{{self.naming.link_number(c.motion.link)}}};  μ_{{{own}}} = "
         if k:
@@ -99,16 +101,21 @@ class Graphical:
             ways = MU_FORMULAS[self.naming.convention]
             text += f"{ways[c.kind != 'differentiation'].format(other)} = "
         text += mu_with_unit(stage.mu, UNITS_OF_PLACE_AND_RATES[c.motion.slides][stage.rank], self.naming)
-        return text if k else f"{text};  μ_{{t}} = {mu_with_unit(c.time_scale, 's', self.naming)}"
+        if k:
+            return text
+        return f"{text};  μ_{{t}} = {mu_with_unit(c.time_scale, 's', self.naming)}"
 
     def pole_marks(self, stage: Stage, zero: complex) -> list[Mark]:
         """The pole, its rays to the axis of ordinates, and its distance."""
         if stage.pole_mm is None:
             return []
-        low, high, level = zero + self.mark_place(stage.plan, "P"), zero, self.pole_distance_room(stage)
+        low = zero + self.mark_place(stage.plan, "P")
+        high = zero
+        level = self.pole_distance_room(stage)
         marks: list[Mark] = [Line((low, zero + h), "construction", "construction") for h in self.ray_crossings(stage)]
         marks += [*dot(low, 0.6, "construction"), Line((low, zero), "thin", "dimension")]
-        text, middle = f"H = {number_text(stage.pole_mm, self.naming.lang)}", (low + high) / 2
+        text = f"H = {number_text(stage.pole_mm, self.naming.lang)}"
+        middle = (low + high) / 2
         written = Text(text, middle + 1j * (level + 1.2), 3.5, "middle")
         if ink_width(text, 3.5) > stage.pole_mm - 2.0:  # beside a short distance, on an extension of its line
             written = Text(text, low + complex(-4.0, level - 1.3), 3.5, "end")
@@ -143,10 +150,12 @@ class Graphical:
 
     def curve_marks(self, stage: Stage, zero: complex, wide: float) -> list[Mark]:
         """The points and the curve through them (for an integral its polygon), with its construction."""
-        points, by_chords = self.curve_points(stage), self.construction.kind == "differentiation"
+        points = self.curve_points(stage)
+        by_chords = self.construction.kind == "differentiation"
         marks = []
         for label in self.ray_crossing_labels(stage):  # ordinates carried to or from the axis
-            cut, point = self.mark_place(stage.plan, f"h{label}"), self.mark_place(stage.plan, label)
+            cut = self.mark_place(stage.plan, f"h{label}")
+            point = self.mark_place(stage.plan, label)
             marks.append(Line((zero + cut, zero + point), "construction", "construction"))
         if by_chords and stage.rank < 2:
             near = wide / self.construction.motion.section_count / 2 + 1e-6
@@ -162,7 +171,8 @@ class Graphical:
 
     def position_numbers(self, level: float) -> list[Mark]:
         """Numbers of the positions and the driver's angle at the first."""
-        m, wide = self.construction.motion, self.mark_place(self.construction.stages[0].plan, "t").real
+        m = self.construction.motion
+        wide = self.mark_place(self.construction.stages[0].plan, "t").real
         every = 1 if m.section_count <= 24 else 2
         texts = [
             Text(str(k), complex(wide * k / m.section_count, level), 3.5, "middle")
@@ -187,7 +197,8 @@ def smooth_curve(points: Sequence[complex]) -> list[complex]:
     ends = [2 * points[0] - points[1], *points, 2 * points[-1] - points[-2]]
     curve = []
     for a, b, c, d in zip(ends, ends[1:], ends[2:], ends[3:], strict=False):
-        m, n = (c - a) / 2, (d - b) / 2
+        m = (c - a) / 2
+        n = (d - b) / 2
         for k in range(PIECES_PER_INTERVAL):
             t = k / PIECES_PER_INTERVAL
             curve.append(b + t * (m + t * (3 * (c - b) - 2 * m - n + t * (m + n - 2 * (c - b)))))
@@ -203,4 +214,6 @@ def crop_curve(path: Sequence[complex], wide: float) -> list[complex]:
                 kept.append(a + (b - a) * (x - a.real) / (b.real - a.real))
         if 0.0 <= b.real <= wide:
             kept.append(b)
-    return [z for z in [path[0], *kept] if -1e-9 <= z.real <= wide + 1e-9] if kept else list(path)
+    if kept:
+        return [z for z in [path[0], *kept] if -1e-9 <= z.real <= wide + 1e-9]
+    return list(path)

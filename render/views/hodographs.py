@@ -42,14 +42,16 @@ def hodograph_view(loops: Sequence[Hodograph], naming: Naming, to_read: bool = F
 
 
 def _single_hodograph_view(loop: Hodograph, naming: Naming, to_read: bool) -> View:
-    lang, path = naming.lang, bool(loop.point and to_read)
+    lang = naming.lang
+    path = bool(loop.point and to_read)
     known = [z for z in loop.path if z is not None]
     known += [0j] * (not path or not known)
     least, most = bounding_corners(known)
     mu = standard_mu(max((most - least).real, (most - least).imag), HODOGRAPH_SIDE_MM)
     name = say("path_of", lang, name=loop.point) if path else say("hodograph", lang, name=loop.name)
     title = f"{name}, μ_{{{letter_of(loop.name)}}} = {mu_with_unit(mu, loop.unit, naming)}"
-    low, high = mu * least - AXIS_OVERRUN_MM * (1 + 1j), mu * most + AXIS_OVERRUN_MM * (1 + 1j)
+    low = mu * least - AXIS_OVERRUN_MM * (1 + 1j)
+    high = mu * most + AXIS_OVERRUN_MM * (1 + 1j)
     pole = low if path else 0j
     ends = complex(high.real, pole.imag), complex(pole.real, high.imag)
     ground = [

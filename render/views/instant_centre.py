@@ -19,7 +19,8 @@ LEAST_CROSSING_SINE = 0.05  # sine of the angle between lines that meet too far 
 def instant_centre_scheme(position: Position, link: str, naming: Naming) -> View | None:
     """The scheme with the instantaneous centre P of a link and the velocities of its points; None if it is too far
     off."""
-    places, v = Places(position), position.v
+    places = Places(position)
+    v = position.v
     own = position.plans.mechanism.links[link].points
     points = {p: places.point_place(p) for p in own if places.is_drawn(p) and p in v}
     centre = _intersection_of_normals([(z, v[p]) for p, z in points.items()])
@@ -29,7 +30,8 @@ def instant_centre_scheme(position: Position, link: str, naming: Naming) -> View
     marks: list[Mark] = [Line((z, centre), "thin", "construction") for z in points.values()]
     named = [Label(f"P_{{{naming.link_number(link)}}}", centre, clear=1.0, name="P")]
     for p, z in points.items():
-        tip, name = z + LONGEST_VELOCITY_MM * v[p] / fastest, f"v_{p}"
+        tip = z + LONGEST_VELOCITY_MM * v[p] / fastest
+        name = f"v_{p}"
         marks.append(Arrow(z, tip, name=name))
         named.append(Label(naming.lettered_vector(name), (z, tip), 3.5, name=name))
     marks += dot(centre)
@@ -38,7 +40,8 @@ def instant_centre_scheme(position: Position, link: str, naming: Naming) -> View
 
 def _intersection_of_normals(moving: list[tuple[complex, complex]]) -> complex | None:
     """The intersection of lines through places perpendicular to their velocities; of the two least parallel ones."""
-    best, centre = LEAST_CROSSING_SINE, None
+    best = LEAST_CROSSING_SINE
+    centre = None
     for (a, v), (b, w) in combinations(moving, 2):
         if not v or not w:
             continue

@@ -61,7 +61,9 @@ class Arrows:
             near, far = next(filter(self.is_clear, others), (near, far))
         self.taken.append((point, direction_between(near, far)))
         self.upon.append((near, far))
-        return (far, near, far) if ((far - near) * way.conjugate()).real < 0 else (near, far, far)
+        if ((far - near) * way.conjugate()).real < 0:
+            return (far, near, far)
+        return (near, far, far)
 
     def _places_on_line(self, point: complex, way: complex, from_outside: bool) -> Iterator[Ends]:
         """Places of an arrow on one side of its point: at it, longer than others there, and farther along."""
@@ -92,12 +94,15 @@ class Loading:
     arrows: Arrows = field(init=False)
 
     def __post_init__(self) -> None:
-        self.places, self.drawing, self.plans = Places(self.position), self.position.drawing, self.position.plans
+        self.places = Places(self.position)
+        self.drawing = self.position.drawing
+        self.plans = self.position.plans
         self.arrows = Arrows([rod for link in self.links for rod in self.places.link_bars(link)])
 
     def draw_loads(self, carried: bool, from_outside: bool = False) -> None:
         """Weights, inertia, loads; and, where ``carried``, the reactions from groups solved before."""
-        acting, inner = self.plans.acting, self.inner_reaction_names() if carried else set[str]()
+        acting = self.plans.acting
+        inner = self.inner_reaction_names() if carried else set[str]()
         for link in self.links:
             for f in acting.forces[link]:
                 acts = f.size in self.drawing and (f.spot or (carried and f.name not in inner))
@@ -112,7 +117,8 @@ class Loading:
 
     def draw_reactions(self, plan: str) -> None:
         """The reactions of a plan's outer pairs, in the components found on the plan, at their points."""
-        outer, rubbing = self.outer(), dict[str, None]()
+        outer = self.outer()
+        rubbing = dict[str, None]()
         guides = dict.fromkeys(outer.values())
         for equation in self.plans.equations:
             for term in equation.all_terms if equation.plan == plan else ():
@@ -138,7 +144,8 @@ class Loading:
         """Every whole reaction on these links from outside, on its line of action."""
         results = self.position.of("reactions")
         for key, reaction in self.plans.reactions.items():
-            pair, result = reaction.pair, results.get(key)
+            pair = reaction.pair
+            result = results.get(key)
             if result is None or (pair.link in self.links) == (pair.other in self.links):
                 continue
             name, _, sign = self.acting_reaction(key)
@@ -150,7 +157,8 @@ class Loading:
 
     def draw_guide_couple(self, key: str) -> None:
         """The couple of a slider's reaction that is zero, or whose arm is too long to draw."""
-        pair, result = self.plans.reactions[key].pair, self.position.of("reactions").get(key)
+        pair = self.plans.reactions[key].pair
+        result = self.position.of("reactions").get(key)
         if result and pair.kind == "P" and self.reaction_arm(key) is None and abs(result.moment) > ZERO_FORCE_RATIO:
             name, link, sign = self.acting_reaction(key)
             self.draw_couple(f"MR_{name}", link, result.moment * sign, 0)
@@ -197,7 +205,9 @@ class Loading:
         """The point of application of a reaction: in its hinge, or ``aside`` on its friction circle; its arm from the
         foot on the guide, which is drawn up to there."""
         r = self.plans.reactions[key]
-        pair, metres, mu = r.pair, self.reaction_arm(key) or 0.0, scheme_mu(self.position)
+        pair = r.pair
+        metres = self.reaction_arm(key) or 0.0
+        mu = scheme_mu(self.position)
         if pair.kind == "R":
             way = complex(self.drawing[r.end]) - complex(self.drawing[r.start])
             shift = -1j * way / abs(way) * metres * mu if way and aside else 0j
@@ -218,7 +228,8 @@ class Loading:
 
     def draw_balancing_load(self, link: str) -> None:
         """The balancing couple (or force) on the driver, or the opposite force on the link that drives it."""
-        plans, driver = self.plans, self.plans.structure.driver
+        plans = self.plans
+        driver = self.plans.structure.driver
         if plans.balancing not in self.drawing:
             return
         load = float(self.drawing[plans.balancing]) * (1 if link == driver else -1)
@@ -243,7 +254,8 @@ class Loading:
         known = {f.name for link in self.links for f in self.plans.acting.forces[link]}
         reactions: dict[str, str] = {}
         for key, reaction in self.plans.reactions.items():
-            link, other = reaction.pair.link, reaction.pair.other
+            link = reaction.pair.link
+            other = reaction.pair.other
             for name, on, by in ((key, link, other), (name_of_force(other, link), other, link)):
                 if on in self.links and by not in self.links and name not in known:
                     reactions |= {name + part: key for part in ("", "^t", "^n")}
@@ -282,7 +294,8 @@ class Loading:
     @cached_property
     def arms(self) -> list[Arm]:
         """The arms in the moment equations."""
-        drops, arms = arm_steps_by_result(self.drawing), list[Arm]()
+        drops = arm_steps_by_result(self.drawing)
+        arms = list[Arm]()
         for name, arm, _ in (term for one in self.equations for term in nonzero_terms(self.drawing, one)):
             step = drops.get(arm)
             if step and step.makes in self.drawing:

@@ -68,16 +68,15 @@ class ManyPositions:
         if not sizes:
             return 0.0
         usual = median(sizes)
-        return (
-            EXTREME_REACH_RATIO * max(sizes)
-            if self.is_full_turn and max(sizes) < MOST_GROWTH_RATIO * usual
-            else DRAWN_REACH_RATIO * usual
-        )
+        if self.is_full_turn and max(sizes) < MOST_GROWTH_RATIO * usual:
+            return EXTREME_REACH_RATIO * max(sizes)
+        return DRAWN_REACH_RATIO * usual
 
     @property
     def is_full_turn(self) -> bool:
         """Whether the driver turns fully, so that all paths are closed."""
-        first, last = self.turn[0], self.turn[-1]
+        first = self.turn[0]
+        last = self.turn[-1]
         if not first or not last:
             return False
         return all(abs(self.place_on_paper(first, p) - self.place_on_paper(last, p)) < 0.1 for p in first.points)
@@ -137,7 +136,8 @@ class ManyPositions:
     def guide_line(self, guide: str, result: PlacedMechanism) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
         mechanism = self.plans.mechanism
-        owner, given = mechanism.link(mechanism.owner_of_guide(guide)), mechanism.guide(guide)
+        owner = mechanism.link(mechanism.owner_of_guide(guide))
+        given = mechanism.guide(guide)
         along = cmath.exp(1j * math.radians(given.angle_deg))
         if owner is mechanism.frame:
             return given.through * self.mu, along
@@ -188,8 +188,10 @@ class ManyPositions:
     def position_labels(self) -> list[Label]:
         """Numbers of the positions at the end of the crank, in its hinge if it has one, or beneath a sliding driver;
         of extreme ones at sliders of the frame, or at the ends of rockers if there are none."""
-        drive, pair = self.plans.drive, self.plans.structure.drive_pair
-        link, numbers = self.plans.mechanism.links[drive.link], list[Label]()
+        drive = self.plans.drive
+        pair = self.plans.structure.drive_pair
+        link = self.plans.mechanism.links[drive.link]
+        numbers = list[Label]()
         hinged = self.points_of_other_links(link)
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
         ends.sort(key=lambda p: p not in hinged)
@@ -258,7 +260,8 @@ class ManyPositions:
     def stroke_dimensions(self, lang: Lang) -> list[Size]:
         """The strokes of sliders on the frame's guides, in true mm, outside everything drawn and each other; none where
         the ends of the range are not drawn."""
-        sizes, shown = list[Size](), [r for r in self.turn if r]
+        sizes = list[Size]()
+        shown = [r for r in self.turn if r]
         if not all(map(self.fits_on_paper, shown)):
             return sizes
         for link, slides in ((link, link.slides) for link, _ in self.followers_on_frame() if shown):

@@ -37,7 +37,8 @@ class MomentLines:
 
     def drawn_marks(self, links: tuple[str, ...] | None = None) -> Marks:
         """All nontrivial equations (those of some links), from the top down."""
-        setter, y = Setter(self.letter), 0.0
+        setter = Setter(self.letter)
+        y = 0.0
         plans = self.position.plans
         equations = (m for m in plans.moments if m.links != ("lever",))
         for equation in equations if links is None else plans.moment_equations_of_plan(links):
@@ -84,7 +85,8 @@ class MomentLines:
         words = [Word(text, 0, arms, unit, False)]
         words.append(Word(head, 0, mm.get(factor, ""), read_off_text(unknown_value * by, lang), False))
         for k, (name, lever, value) in enumerate(shown):
-            product, below = self.product_text(name, lever), value * by < 0
+            product = self.product_text(name, lever)
+            below = value * by < 0
             words.append(Word("=" if k == 0 else "−" if below else "+", vector=False))
             product = "−" + product if below and k == 0 else product
             ends = ";" if equation.arm and k == len(shown) - 1 else ""
@@ -118,17 +120,17 @@ class MomentLines:
     def letter_in_bars(self, name: str) -> str:
         """The letter of a couple or a rate, in bars where it is negative: its sign is before the product."""
         letter = self.naming.lettered_vector(name)
-        return f"|{letter}|" if name in self.position.drawing and float(self.position.drawing[name]) < 0 else letter
+        if name in self.position.drawing and float(self.position.drawing[name]) < 0:
+            return f"|{letter}|"
+        return letter
 
     def factor_text(self, name: str, lever: str) -> str:
         """The factor of a force: its arm, a length or a rate; None without an arm."""
-        return (
-            self.naming.lettered_arm(name, lever)
-            if lever in self.arm_steps
-            else self.letter_in_bars(lever)
-            if lever
-            else ""
-        )
+        if lever in self.arm_steps:
+            return self.naming.lettered_arm(name, lever)
+        if lever:
+            return self.letter_in_bars(lever)
+        return ""
 
     @cached_property
     def arm_steps(self) -> Mapping[str, Drop]:
@@ -147,7 +149,8 @@ class Lever:
         """The turned plan, the forces, their arms and all names."""
         plan = "motion" if self.position.plans.at_rest else "velocity"
         plotted = plot_position(self.position)
-        marks, lines = list[Mark](), list[Ends]()
+        marks = list[Mark]()
+        lines = list[Ends]()
         helping = ("false", "relative")  # not part of the loaded figure
         aside = {s.makes for s in plotted.drawing.program.steps if s.quantity_represented in helping}
         for s in plotted.drawn_segments(plan):
@@ -172,9 +175,12 @@ class Lever:
 
     def forces_and_arms(self, lines: list[Ends]) -> Arms:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""
-        drawing, marks, named = self.position.drawing, list[Mark](), list[Label]()
+        drawing = self.position.drawing
+        marks = list[Mark]()
+        named = list[Label]()
         drops = arm_steps_by_result(drawing)
-        arms, arrows = Arms(), Arrows(lines)
+        arms = Arms()
+        arrows = Arrows(lines)
         lever = next((m for m in self.position.plans.moments if m.links == ("lever",)), None)
         for name, arm in lever.terms if lever else ():
             step = drops.get(arm)

@@ -86,9 +86,12 @@ def plot_position(p: Position) -> Plotted:
 
 def plot_with_single_links(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
     """The same with the plans of single links; and these links by the plan of their group."""
-    plotted, plans = plot_position(p), {plan: [*links_with_own_polygon(p.plans, plan)] for plan in p.plans.plan_names}
-    things, scales = dict(p.drawing.things), dict(p.scales)
-    segments, equations = [*plotted.segments], [*plotted.equations]
+    plotted = plot_position(p)
+    plans = {plan: [*links_with_own_polygon(p.plans, plan)] for plan in p.plans.plan_names}
+    things = dict(p.drawing.things)
+    scales = dict(p.scales)
+    segments = [*plotted.segments]
+    equations = [*plotted.equations]
     for one in (x for links in plans.values() for x in links):
         if marks := one.vector_end_marks(p.plans, p.drawing):
             things |= {full_mark_name(one.plan, label): z for label, z in marks.items()}
@@ -192,7 +195,8 @@ def lines_overlap(one: Ends, other: Ends, near: float, touch: float = -1.0) -> b
     and come closer than ``touch`` mm."""
     way = direction_between(*other)
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
-    low, high = max(a.real, 0.0), min(b.real, abs(other[1] - other[0]))
+    low = max(a.real, 0.0)
+    high = min(b.real, abs(other[1] - other[0]))
     if high - low <= 1.0:
         return False
     slope = (b.imag - a.imag) / (b.real - a.real)
@@ -204,7 +208,8 @@ def lines_overlap(one: Ends, other: Ends, near: float, touch: float = -1.0) -> b
 def shift_clear_of_others(ends: Ends, others: Iterable[Ends], step: float, near: float, touch: float = -1.0) -> Ends:
     """The ends of a vector, shifted sideways step by step where it would overlap others, or be ``near``
     them."""
-    (start, end), others = ends, list(others)
+    start, end = ends
+    others = list(others)
     side = 1j * (end - start) / abs(end - start)
     if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
         side = -side

@@ -159,7 +159,8 @@ class Polygon:
             if term.known_part_count != 1 or not term.direction:
                 continue
             start, end = self.plotted.vector_ends(self.plan, term)
-            way, along = end - start, HALF_LONE_LINE_LENGTH_MM * complex(self.plotted.drawing[term.direction])
+            way = end - start
+            along = HALF_LONE_LINE_LENGTH_MM * complex(self.plotted.drawing[term.direction])
             ends = (
                 (start, end + LINE_OF_ACTION_OVERRUN_MM * way / abs(way))
                 if abs(way) > ZERO_VECTOR_MM
@@ -172,7 +173,8 @@ class Polygon:
         terms = {ends for t in self.drawn_terms() for ends in ((t.start, t.end), (t.end, t.start))}
         order = sorted(self.arrows.items(), key=lambda item: (item[0] not in terms, not self.is_result(*item)))
         for (start, end), names in order:
-            ends, thick = (self.mark(start), self.mark(end)), self.is_result((start, end), names)
+            ends = (self.mark(start), self.mark(end))
+            thick = self.is_result((start, end), names)
             moves = not self.is_rate_plan and (start, end) not in terms
             placed = ends
             if moves and abs(ends[1] - ends[0]) >= detail.LEAST_READABLE_VECTOR_MM:
@@ -196,9 +198,12 @@ class Polygon:
         """The normal force and the friction of each leaning reaction, as the sides of a right triangle upon it."""
         sides = dict[str, Ends]()
         for r in self.plotted.leaning:
-            start, end = label_of(r.start), label_of(r.end)
+            start = label_of(r.start)
+            end = label_of(r.end)
             if r.plan == self.plan and self.plotted.has_marks(self.plan, start, end):
-                a, b, along = self.mark(start), self.mark(end), complex(self.plotted.drawing[f"∥{r.pair.guide}"])
+                a = self.mark(start)
+                b = self.mark(end)
+                along = complex(self.plotted.drawing[f"∥{r.pair.guide}"])
                 corner = perpendicular_foot(a, b, along)
                 if abs(corner - a) > detail.LEAST_READABLE_VECTOR_MM < abs(b - corner):
                     sides |= {f"N_{r.index}": (a, corner), f"T_{r.index}": (corner, b)}
@@ -278,7 +283,8 @@ class Polygon:
             [(label, self.mark(label)) for label in self.plotted.mark_labels(self.plan)], same
         )
         centre = sum(z for z, _ in clusters) / len(clusters)
-        letters, prime = [], "'" if self.plan == "acceleration" else ""
+        letters = []
+        prime = "'" if self.plan == "acceleration" else ""
         for z, names in clusters:
             fixed = [n + prime for n in self.plotted.fixed] if POLE_LABEL in names else []
             text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))

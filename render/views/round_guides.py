@@ -18,10 +18,13 @@ from render.views.plotted import Places, direction_deg
 
 def round_slider_marks(places: Places, link: Link, guide: RoundGuide, owner: str) -> Iterator[Mark]:
     """The block turned along its arc, and the arc beneath it, hatched if it is the frame's."""
-    centre, z = places.point_place(guide.centre), places.point_place(link.first_point)
-    radius, out = abs(z - centre), direction_between(centre, z)
+    centre = places.point_place(guide.centre)
+    z = places.point_place(link.first_point)
+    radius = abs(z - centre)
+    out = direction_between(centre, z)
     yield from block(z, direction_deg(1j * out))
-    rail, here = radius + SLIDER_BLOCK_SIZE_MM[1] / 2, direction_deg(out)
+    rail = radius + SLIDER_BLOCK_SIZE_MM[1] / 2
+    here = direction_deg(out)
     half = min(math.degrees(HALF_ROUND_GUIDE_LENGTH_MM / radius), 180.0)
     yield Arc(centre, rail, here - half, here + half)
     if owner == FRAME:

@@ -39,7 +39,8 @@ class Scheme:
 
     def __post_init__(self) -> None:
         self.places = Places(self.position)
-        self.mechanism, self.shared = self.places.mechanism, self.places.links_by_hinge
+        self.mechanism = self.places.mechanism
+        self.shared = self.places.links_by_hinge
         self.links = [x for x in self.places.links if not self.only or x.name in self.only]
         self.axes, self.rails, self.guides, self.blocks, self.bars, self.hinges = (list[Mark]() for _ in range(6))
         self.named, self.ways = list[Label](), dict[str, list[complex]]()
@@ -102,11 +103,9 @@ class Scheme:
     def add_slider(self, link: Link, foot: complex, along: complex) -> None:
         """The slider's block: on rails if its guide is the frame's, smaller where it is held in another block."""
         assert link.slides
-        angle, size, owner = (
-            direction_deg(along),
-            self.block_size(link),
-            self.mechanism.owner_of_guide(link.slides.guide),
-        )
+        angle = direction_deg(along)
+        size = self.block_size(link)
+        owner = self.mechanism.owner_of_guide(link.slides.guide)
         if owner != FRAME or not self.framed:
             blocks = self.rails if size == OUTER_BLOCK_SIZE_MM else self.blocks
             blocks += symbols.block(foot, angle, size=size)
@@ -134,18 +133,14 @@ class Scheme:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
         if (other := self.slider_in_same_place(link)) is None:
             return SLIDER_BLOCK_SIZE_MM
-        return (
-            OUTER_BLOCK_SIZE_MM
-            if self.mechanism.slider_rank(link) > self.mechanism.slider_rank(other)
-            else INNER_BLOCK_SIZE_MM
-        )
+        if self.mechanism.slider_rank(link) > self.mechanism.slider_rank(other):
+            return OUTER_BLOCK_SIZE_MM
+        return INNER_BLOCK_SIZE_MM
 
     def slider_in_same_place(self, link: Link) -> Link | None:
         """The other slider in the same place."""
-        here, others = (
-            self.places.point_place(link.first_point),
-            (x for x in self.mechanism.links.values() if x is not link),
-        )
+        here = self.places.point_place(link.first_point)
+        others = (x for x in self.mechanism.links.values() if x is not link)
         there = (x for x in others if x.slides and self.places.is_drawn(x.first_point))
         return next((x for x in there if abs(self.places.point_place(x.first_point) - here) < SAME_PLACE_MM), None)
 
@@ -164,7 +159,8 @@ class Scheme:
 
     def rail_side(self, link: Link, foot: complex, along: complex) -> int:
         """The side of the slider away from its rods, or from the rest of the mechanism."""
-        z, places = self.places.point_place(link.first_point), self.places
+        z = self.places.point_place(link.first_point)
+        places = self.places
         rods = [
             rod
             for x in self.mechanism.links
@@ -174,7 +170,9 @@ class Scheme:
         far = [w for rod in rods for w in rod] or [
             places.point_place(p) for p in places.links_by_hinge if places.is_drawn(p)
         ]
-        return 1 if ((sum(far) / len(far) - foot) * along.conjugate()).imag < -1 else -1
+        if ((sum(far) / len(far) - foot) * along.conjugate()).imag < -1:
+            return 1
+        return -1
 
     def add_moving_guide(self, name: str, joints: list[complex]) -> list[complex]:
         """The rod of a guide on a link; the place where the link's own bars join it, if none is on it."""
@@ -184,10 +182,8 @@ class Scheme:
         ways = [(z - through) * along.conjugate() for z in joints]
         stops = []
         for x in self.places.sliders_on_guides(name):
-            foot, far = (
-                ((self.places.foot_on_guide(x)[0] - through) * along.conjugate()).real,
-                self.rod_overhang(x, along),
-            )
+            foot = ((self.places.foot_on_guide(x)[0] - through) * along.conjugate()).real
+            far = self.rod_overhang(x, along)
             stops += [foot - far, foot + far]
         on = [w.real for w in ways if abs(w.imag) < SAME_PLACE_MM]
         reach = on or [w.real for w in ways[:1]]
@@ -209,7 +205,8 @@ class Scheme:
 
     def rod_range(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
         """From the place where the link holds the guide to beyond its sliders; no farther on the holding side."""
-        low, high = min(*reach, *stops), max(*reach, *stops)
+        low = min(*reach, *stops)
+        high = max(*reach, *stops)
         if min(reach) <= min(stops) + ROD_OVERHANG_MM:
             low = min(reach)
         if max(reach) >= max(stops) - ROD_OVERHANG_MM:
@@ -225,17 +222,21 @@ class Scheme:
         elif link.slides:
             foot, along = self.places.foot_on_guide(link)
             long, wide = self.block_size(link)
-            at, clear = (foot - long / 2 * along, foot + long / 2 * along), wide / 2
+            at = (foot - long / 2 * along, foot + long / 2 * along)
+            clear = wide / 2
             if long < SLIDER_BLOCK_SIZE_MM[0]:
-                at, clear = foot + (long / 2 + 1j * wide / 2) * along, 0.0
+                at = foot + (long / 2 + 1j * wide / 2) * along
+                clear = 0.0
         elif link.slides_round:
-            at, clear = self.places.point_place(link.first_point), SLIDER_BLOCK_SIZE_MM[0] / 2
+            at = self.places.point_place(link.first_point)
+            clear = SLIDER_BLOCK_SIZE_MM[0] / 2
         elif slider := next(
             self.places.sliders_on_guides(*link.guides), None
         ):  # a hinge and a guide: the rod between them
             at = self.places.point_place(link.first_point), self.places.foot_on_guide(slider)[0]
         if at is not None:
-            text, name = self.naming.link_number(link.name), f"link {link.name}"
+            text = self.naming.link_number(link.name)
+            name = f"link {link.name}"
             ends = at if isinstance(at, tuple) and clear else ()
             self.named.append(Label(text, at, POINT_LETTER_MM, clear=clear, name=name, underlined=True, also=ends))
 
@@ -246,7 +247,8 @@ class Scheme:
         for point, owners in self.shared.items():
             if not self.places.is_drawn(point) or not any(link.name in owners for link in self.links):
                 continue
-            z, fixed = self.places.point_place(point), FRAME in owners and self.framed
+            z = self.places.point_place(point)
+            fixed = FRAME in owners and self.framed
             ways = [w / abs(w) for w in self.ways.get(point, []) if abs(w) > SAME_PLACE_MM]
             turn = base_angle(z, ways, [*self.bars, *self.guides]) if fixed else 0.0
             self.hinges += symbols.fixed_hinge(z, turn) if fixed else symbols.hinge(z)
@@ -255,7 +257,8 @@ class Scheme:
         """Letters of all points."""
         first = {p: link for link in reversed(self.links) for p in link.points if self.places.is_drawn(p)}
         for p in dict.fromkeys(p for link in self.links for p in link.points if p in first):
-            z, hinged = self.places.point_place(p), p in self.shared
+            z = self.places.point_place(p)
+            hinged = p in self.shared
             if not hinged and p != first[p].centre:
                 self.hinges += symbols.dot(z)
             clear = HINGE_RADIUS_MM if hinged else 0.8
@@ -264,8 +267,10 @@ class Scheme:
 
     def coincident_guide_letters(self, point: str) -> list[str]:
         """Letters of the places on guides that coincide with a slider's point, as on the plans: L, B3."""
-        plans, drawn = self.position.plans, {x.name for x in self.links}
-        known, images = {POLE_LABEL, *(label_of(x.velocity) for x in plans.points.values())}, list[str]()
+        plans = self.position.plans
+        drawn = {x.name for x in self.links}
+        known = {POLE_LABEL, *(label_of(x.velocity) for x in plans.points.values())}
+        images = list[str]()
         for link in self.links:
             if link.slides and link.first_point == point and link.name in plans.velocity_slides:
                 reading = plans.velocity_slides[link.name]

@@ -24,7 +24,8 @@ TEXT_LINE_GAP_MM = 0.6  # between a letter and the thin line broken for it
 
 def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> Labelled:
     """Curved arrows of the driver's ω and ε about its pivot, where they cross nothing, and their names."""
-    drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair
+    drive = places.mechanism.drive
+    pair = places.position.plans.structure.drive_pair
     arcs = list[Mark]()
     named = list[Label]()
     if drive.kind == "s" or not places.is_drawn(pair.point):
@@ -66,11 +67,14 @@ def freest_turn_arrow(
     )
     if is_rough_placement():
         return next(iter(arrows))
-    inked, least, freest_arrow = inked_shapes(ground), math.inf, None
+    inked = inked_shapes(ground)
+    least = math.inf
+    freest_arrow = None
     for arrow in arrows:
         near = len(inked.pairs_within(inked_shapes(arrow[0]).shapes, clear)[0])
         if near < least:
-            least, freest_arrow = near, arrow
+            least = near
+            freest_arrow = arrow
         if not near:
             break
     assert freest_arrow
@@ -83,7 +87,8 @@ def marks_with_labels(named: Sequence[Label], marks: Sequence[Mark]) -> Marks:
     kept = [m for m in marks if isinstance(m, Line) and m.name == POSITION_NAME_PREFIX]
     numbers = [x for x in named if x.name.startswith(POSITION_NAME_PREFIX)]
     gives = [isinstance(m, Hatch) or (isinstance(m, Line) and m.layer == "construction") for m in marks]
-    thin, rest = list(compress(marks, gives)), [m for m, way in zip(marks, gives, strict=True) if not way]
+    thin = list(compress(marks, gives))
+    rest = [m for m, way in zip(marks, gives, strict=True) if not way]
     broken = [m for m in thin if m not in kept]
     first = place_labels(numbers, [*rest, *kept], None, broken)
     others = [x for x in named if x not in numbers]
@@ -103,7 +108,8 @@ def break_lines_at_texts(lines: Sequence[Mark], texts: Sequence[Text]) -> Marks:
 
 def _box_with_margin(text: Text) -> Shape:
     """The box of a text with a small margin."""
-    box, sign = text_box_corners(text), partial(math.copysign, 1.0)
+    box = text_box_corners(text)
+    sign = partial(math.copysign, 1.0)
     out = (z - sum(box) / 4 for z in box)
     return Shape(
         tuple(z + TEXT_LINE_GAP_MM * complex(sign(w.real), sign(w.imag)) for z, w in zip(box, out, strict=True))

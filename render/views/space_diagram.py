@@ -150,6 +150,7 @@ class SpaceDiagram:
         yield Line((tops[0], tops[1]), "thin", "force")
         for k in range(count + 1):
             share = k / count
-            foot, top = start + share * (end - start), tops[0] + share * (tops[1] - tops[0])
+            foot = start + share * (end - start)
+            top = tops[0] + share * (tops[1] - tops[0])
             if abs(foot - top) > 2.0:
                 yield Arrow(top, foot, "thin", "force")

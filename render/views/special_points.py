@@ -15,7 +15,9 @@ MOST_SPECIAL_POINT_DISTANCE_MM = 60.0  # a special point farther from every poin
 
 def special_point_marks(position: Position, naming: Naming) -> Labelled:
     """The lines of leads extended to their special points, with the letters of these."""
-    marks, named, drawing = list[Mark](), list[Label](), position.drawing
+    marks = list[Mark]()
+    named = list[Label]()
+    drawing = position.drawing
     points = [complex(drawing[m]) for p in position.plans.points if (m := full_mark_name(SCHEME_PLAN, p)) in drawing]
     for step in drawing.program.steps:
         if isinstance(step, Cross) and step.quantity_represented == "special" and step.makes in drawing:

@@ -19,10 +19,13 @@ STRING_LINE_STYLES = {
 
 def string_and_ray_lines(drawing: Drawing, figure: StaticsFigure | None, plan: str) -> Labelled:
     """The lines of a plan, with the letters of strings and rays; on a force plan the pole has its letter, too."""
-    marks, named, poles = list[Mark](), list[Label](), dict[complex, Label]()
+    marks = list[Mark]()
+    named = list[Label]()
+    poles = dict[complex, Label]()
     for s in figure.strokes if figure else ():
         if s.plan == plan and s.start in drawing and s.end in drawing:
-            start, end = complex(drawing[s.start]), complex(drawing[s.end])
+            start = complex(drawing[s.start])
+            end = complex(drawing[s.end])
             if abs(end - start) > SAME_PLACE_MM:
                 marks.append(Line((start, end), STRING_LINE_STYLES[s.kind], "construction"))
                 named += [Label(s.name, (start, end), STRING_LETTER_MM, name=f"{s.kind} {s.name}")] if s.name else []

@@ -28,7 +28,8 @@ class TableGrid:
     def drawn_marks(self, head: Row, rows: Sequence[Row]) -> Marks:
         """The marks of a table with its upper left corner at the origin."""
         lines = [head, *rows] if any(head) else list(rows)
-        (high, drop), pad = self.row_height_and_base(lines), 0.5 * self.letter
+        high, drop = self.row_height_and_base(lines)
+        pad = 0.5 * self.letter
         columns = [self.aligned_left_edges([row[k] for row in lines], any(head)) for k in range(len(lines[0]))]
         widths = [
             max(x + self.cell_width(row[k]) for x, row in zip(left, lines, strict=True)) + 2 * pad
@@ -67,7 +68,8 @@ class TableGrid:
         """Height of the rows: two letters, more where indices would come near a line; the base line beneath their
         middle."""
         boxes = [ink_bounds(cell.rstrip("↺↻"), self.letter) for row in lines for cell in row]
-        low, top = min(b[1] for b in boxes), max(b[3] for b in boxes)
+        low = min(b[1] for b in boxes)
+        top = max(b[3] for b in boxes)
         high = max(2.0 * self.letter, top - low + 2 * TEXT_RULE_GAP_MM)
         return high, min(max(0.35 * self.letter, top + TEXT_RULE_GAP_MM - high / 2), high / 2 - TEXT_RULE_GAP_MM + low)
 

@@ -43,7 +43,8 @@ class Tables:
 
     def vectors_table(self) -> View | None:
         """Length on its plan, magnitude and direction of every vector in a scene of vectors."""
-        mu, rows = plot_position(self.position).plan_mu, []
+        mu = plot_position(self.position).plan_mu
+        rows = []
         for f in self.position.of("vectors").values():
             mm = abs(f.vector) * mu(plan_of(f.quantity.needed_names[0]))
             angle = self.tenths_text(math.degrees(cmath.phase(f.vector))) if mm > ROUNDING_NOISE_MM else "—"
@@ -63,7 +64,8 @@ class Tables:
 
     def values_table(self) -> View | None:
         """The values computed from the vectors."""
-        noise, rows = ZERO_RESULT_RATIO * largest_equilibrium_result(self.position), []
+        noise = ZERO_RESULT_RATIO * largest_equilibrium_result(self.position)
+        rows = []
         for f in (f for n, f in self.position.of("values").items() if n not in self.member_states):
             tell = self.turning if f.unit in UNITS_OF_PLACE_AND_RATES[False] else self.result_text
             value = f.number if abs(f.number) > noise else 0.0
@@ -77,7 +79,9 @@ class Tables:
 
     def members_table(self) -> View | None:
         """Length on the plan, force and state of every member of a truss."""
-        values, rows, mu = self.position.of("values"), [], plot_position(self.position).plan_mu
+        values = self.position.of("values")
+        rows = []
+        mu = plot_position(self.position).plan_mu
         for name, strain in self.member_states.items():
             force = values[name].number if name in values and strain != "idle" else 0.0
             mm = self.tenths_text(abs(force) * mu(CREMONA_PLAN))
@@ -196,7 +200,8 @@ class Tables:
 
     def links(self) -> View | None:
         """ω and ε of every link with their senses; empty if the driver is at rest."""
-        rows, links = [], self.position.rows("links")
+        rows = []
+        links = self.position.rows("links")
         for name in self.position.plans.mechanism.links:
             if name in links and not self.position.plans.at_rest:
                 cells = [self.turning(links[name][k].number) if k in links[name] else "" for k in ("omega", "epsilon")]
@@ -213,14 +218,18 @@ class Tables:
     def turning(self, value: float) -> str:
         """A signed value and the curved arrow of its sense."""
         shown = self.result_text(value)
-        return shown if shown == "0" else shown + ("↺" if value > 0 else "↻")
+        if shown == "0":
+            return shown
+        return shown + ("↺" if value > 0 else "↻")
 
     def reactions_table(self) -> View | None:
         """Length on its force plan, magnitude and direction of every reaction, and a slider's arm, if any force
         acts."""
         if self.is_unloaded:
             return None
-        rows, armed, lengths = [], False, self.reaction_lengths_mm()
+        rows = []
+        armed = False
+        lengths = self.reaction_lengths_mm()
         for name, r in self.position.of("reactions").items():
             mm = self.tenths_text(lengths[name]) if name in lengths else "—"
             angle = self.tenths_text(math.degrees(cmath.phase(r.vector))) if r.vector else "—"
@@ -264,7 +273,8 @@ class Tables:
 
     def reaction_lengths_mm(self) -> dict[str, float]:
         """The length of each reaction on the force plan that shows it, or its opposite, mm."""
-        plotted, lengths = plot_position(self.position), dict[str, float]()
+        plotted = plot_position(self.position)
+        lengths = dict[str, float]()
         for s in plotted.segments:
             if plan_kind(s.plan) == "force" and plotted.has_marks(s.plan, s.start, s.end):
                 mm = plotted.vector_length_mm(s.plan, s)
@@ -275,9 +285,11 @@ class Tables:
 
     def check_table(self) -> View | None:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent, if any force acts."""
-        p, rows = self.position, []
+        p = self.position
+        rows = []
         for what, unit in () if self.is_unloaded else (("moment", "N·m"), ("force", "N")):
-            balancing, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
+            balancing = p.number(f"balancing_{what}")
+            check = p.number(f"zhukovsky_{what}")
             head = f"{self.naming.balancing_letter(what == 'moment')}, {self.sheet_word(unit)}"
             ways = ("by_force_plan", balancing), ("zhukovsky", check)
             rows += [[self.sheet_word(key), head, self.result_text(value)] for key, value in ways if value is not None]

@@ -16,7 +16,8 @@ def construction_traces(
     plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]
 ) -> tuple[list[Line], list[Triangle]]:
     """Construction lines of a plan with ``drawn`` vectors between those marks, and the triangles to be hatched."""
-    sides, triangles = list(_lines_to_false_points(plotted, plan)), list[Triangle]()
+    sides = list(_lines_to_false_points(plotted, plan))
+    triangles = list[Triangle]()
     for step in plotted.drawing.program.steps:
         if plan_of(step.makes) != plan or not isinstance(step, (Similar, Image)):
             continue

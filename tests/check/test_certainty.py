@@ -125,7 +125,7 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
 
 @pytest.mark.parametrize(
     ("mistake", "between"),
-    [(Mistake("arm_wrong:I_2", "F_21t"), 0.35), (Mistake("inertia_moment_reversed", "F_21t"), 0.67)],
+    [(Mistake("arm_wrong:I_2", "F_21t"), 0.22), (Mistake("inertia_moment_reversed", "F_21t"), 0.52)],
 )
 def test_nearer_to_a_mistake_than_to_the_right_plan_is_not_called_right(mistake: Mistake, between: float) -> None:
     """Though all of it is within a hand's error of where it should be."""

@@ -68,7 +68,7 @@ def test_relations_by_segments_the_self_aligning_variant_and_the_remark_are_told
     assert ("v_{qC}", "pc·l_{AB}/pb", "0.120", "m") in rows
     assert ("u_{31}", "pc·l_{AB}/(pb·l_{DC})", "0.801", "") in rows
     told = sentences("six-link")
-    assert "W = 6n − 5p1 − 4p2 − 3p3 = 30 − 10 − 16 − 3 = 1, q = 0" in told and "C (2–3): spherical 3S" in told
+    assert "W = 6n − 5p_{1} − 4p_{2} − 3p_{3} = 30 − 10 − 16 − 3 = 1, q = 0" in told and "C (2–3): spherical 3S" in told
     assert "D (6–3)" in told
     assert " ".join(scene.note["en"].split()) in told
 

@@ -21,6 +21,7 @@ from planes.solving import plans_and_requested_results, solve
 from planes.solving.given import GivenTable
 from planes.solving.structure_text import alignment_report, structure_report_text
 from planes.words.errors import PlanesError
+from planes.words.lettering import without_index_markup
 from planes.words.naming import Naming
 from tests.helpers import ROOT
 
@@ -50,7 +51,7 @@ def drawn(path: Path) -> dict[str, Any]:
     if scene.mechanism is not None and scene.mechanism.links:
         (plans, *_) = plans_and_requested_results(scene)
         out["structure"] = structure_report_text(plans.structure, "en", scene.mechanism.frame_number)
-        out["aligned"] = said(lambda: alignment_report(self_aligning_variant(plans), "en"))
+        out["aligned"] = said(lambda: without_index_markup(alignment_report(self_aligning_variant(plans), "en")))
     out["given"] = said(lambda: data(scene))
     return out
 

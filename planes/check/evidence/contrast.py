@@ -68,7 +68,8 @@ def relative_line_darkness(
 
     The uppermost ``print_mm`` of the sheet are printed, and say nothing about the pencil.
     """
-    cv2, size = cv(), dark.shape[::-1]
+    cv2 = cv()
+    size = dark.shape[::-1]
     even, against, lines = _normalise_along_lines(dark, scale, print_mm)
     against = cv2.resize(against, size, interpolation=cv2.INTER_LINEAR)
     shares = numpy.minimum(cv2.divide(even, against, scale=middle_dark), middle_dark)
@@ -78,8 +79,11 @@ def relative_line_darkness(
 
 def _normalise_along_lines(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Greys, Booleans]:
     """The picture with its lines filled; on a reduced one the normalisation of ink, and the followed lines."""
-    cv2, felt = cv(), FeltLines(dark, scale, print_mm)
-    strength, even, peaks = numpy.zeros_like(felt.most), dark.copy(), [numpy.full(1, PENCIL_PEAK_RATIO)]
+    cv2 = cv()
+    felt = FeltLines(dark, scale, print_mm)
+    strength = numpy.zeros_like(felt.most)
+    even = dark.copy()
+    peaks = [numpy.full(1, PENCIL_PEAK_RATIO)]
     for k in range(LINE_ANGLE_COUNT):
         for place, response, mine in felt.follow_lines_at_angle(k):
             near = cv2.dilate(mine.view(numpy.uint8), _disk(LINE_CONTINUATION_MM)) > 0
@@ -103,7 +107,8 @@ class FeltLines:
 
     def __init__(self, dark: Greys, scale: float, print_mm: float = 0.0) -> None:
         """Detects lines on a picture; if those below its printed top are lighter, they determine the usual line."""
-        cv2, factor = cv(), PX_PER_MM / scale
+        cv2 = cv()
+        factor = PX_PER_MM / scale
         small = resize_by_factor(dark, factor).astype(numpy.int16) * STEPS_PER_GREY_LEVEL
         self.most: Array = numpy.zeros_like(small)
         self.darkest = self.most
@@ -113,7 +118,8 @@ class FeltLines:
             self.along.append(cv2.filter2D(small, -1, _line_kernel(k)))
             response = self.line_responses_at_angle(k)[0]
             self.best[response > self.most] = k
-            self.most, self.darkest = numpy.maximum(self.most, response), numpy.maximum(self.darkest, self.along[k])
+            self.most = numpy.maximum(self.most, response)
+            self.darkest = numpy.maximum(self.darkest, self.along[k])
         self.nearby = cv2.dilate(
             self.most, numpy.ones((2 * round(STROKE_SURROUNDINGS_MM * PX_PER_MM) + 1,) * 2, numpy.uint8)
         )
@@ -130,11 +136,9 @@ class FeltLines:
                 for own in drawn
             ]
         )
-        return (
-            float(numpy.quantile(strong, USUAL_LINE_QUANTILE)) * STEPS_PER_GREY_LEVEL
-            if len(strong) > LEAST_USUAL_LINE_SAMPLES
-            else FIRM_PENCIL_RESPONSE
-        )
+        if len(strong) > LEAST_USUAL_LINE_SAMPLES:
+            return float(numpy.quantile(strong, USUAL_LINE_QUANTILE)) * STEPS_PER_GREY_LEVEL
+        return FIRM_PENCIL_RESPONSE
 
     def line_responses_at_angle(self, k: int) -> tuple[Array, Array, Array]:
         """The ink of lines at an angle: minus the paper on both sides; minus that of the darker side; and itself."""
@@ -171,7 +175,8 @@ class FeltLines:
             return
         response = self.line_responses_at_angle(k)[0]
         least = max(min(self.paper, 0.5 * CLEAR_LINE_RESPONSE * self.usual), FAINTEST_LINE_RESPONSE * self.usual)
-        foremost, (labels, boxes) = self.is_strongest_angle(k, response), connected_components(response > least)
+        foremost = self.is_strongest_angle(k, response)
+        labels, boxes = connected_components(response > least)
         for number in numpy.unique(labels[plain]).tolist():
             place = _box_slices(boxes[number])
             line = labels[place] == number
@@ -199,14 +204,17 @@ def _drop_long_faint_parts(line: Booleans, faint: Booleans, plain: Booleans) -> 
 
 def _fill_line_gaps(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Greys:
     """Fills gaps of the paper's grain in a line from the ink along it on both sides; returns its darkness."""
-    cv2, up = cv(), scale / PX_PER_MM
+    cv2 = cv()
+    up = scale / PX_PER_MM
     rows, columns = (slice(int(side.start * up), int(side.stop * up)) for side in place)
-    part, reach = dark[rows, columns], max(round(FILLED_GAP_MM / 2 * scale), 1)
+    part = dark[rows, columns]
+    reach = max(round(FILLED_GAP_MM / 2 * scale), 1)
     local = _around(reach, k)
     kernel = numpy.clip(1 - numpy.abs(local.imag), 0, 1) * (numpy.abs(local.real) <= reach)
     ahead = numpy.where(local.real > 0, kernel, 0) + 0.5 * numpy.where(local.real == 0, kernel, 0)
     ahead = (ahead / (2 * ahead.sum())).astype(numpy.float32)
-    one, other = cv2.filter2D(part, -1, ahead), cv2.filter2D(part, -1, ahead[::-1, ::-1])
+    one = cv2.filter2D(part, -1, ahead)
+    other = cv2.filter2D(part, -1, ahead[::-1, ::-1])
     smooth = numpy.minimum(one, 2 * other) + numpy.minimum(other, 2 * one)  # beyond a line's end one of them is zero
     inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST).view(bool)
     numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)

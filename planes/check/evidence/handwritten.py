@@ -137,16 +137,16 @@ class Erased:
 
 def read_words_beside_lines(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> HandWords:
     """The words around some lines of a sheet, with their probabilities for some names."""
-    known, flat, hand_words = tuple(names), ink.flat, list[HandWord]()
+    known = tuple(names)
+    flat = ink.flat
+    hand_words = list[HandWord]()
     for row in _rows_of_pieces(_letter_pieces(ink, lines), flat.scale):
         shapes = _shape_log_probabilities(ink.dark, row, WIDEST_LETTER_MM * flat.scale)
         scores = numpy.array([_name_log_probability(len(row), shapes, name) for name in (*known, "")])
         scores[-1] += OTHER_WORD_LOG_ODDS
         odds = numpy.exp((scores - scores.max()) / LOG_PROB_TEMPERATURE)
-        low, high = (
-            flat.px_to_mm(row[0].left, max(p.bottom for p in row)),
-            flat.px_to_mm(row[-1].right, min(p.top for p in row)),
-        )
+        low = flat.px_to_mm(row[0].left, max(p.bottom for p in row))
+        high = flat.px_to_mm(row[-1].right, min(p.top for p in row))
         hand_words.append(HandWord(low, high, dict(zip(known, (odds / odds.sum()).tolist(), strict=False))))
     return HandWords(_use_each_name_once(hand_words, known))
 
@@ -158,7 +158,8 @@ def _use_each_name_once(words: Sequence[HandWord], names: Sequence[str]) -> list
     for _ in range(NAME_ASSIGNMENT_ROUNDS):
         likely = likely / numpy.maximum(likely.sum(axis=0), 1.0)
         totals = likely.sum(axis=1, keepdims=True) + none
-        likely, none = likely / totals, none / totals
+        likely = likely / totals
+        none = none / totals
     return [
         replace(w, likely=dict(zip(names, row, strict=True))) for w, row in zip(words, likely.tolist(), strict=True)
     ]
@@ -166,7 +167,8 @@ def _use_each_name_once(words: Sequence[HandWord], names: Sequence[str]) -> list
 
 def _letter_pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
     """Pieces of ink off the lines of a sheet, but not far from them."""
-    scale, (labels, stats) = ink.flat.scale, connected_components(_ink_off_lines(ink, lines))
+    scale = ink.flat.scale
+    labels, stats = connected_components(_ink_off_lines(ink, lines))
     letters: list[LetterPiece] = []
     for k, (x, y, w, h, _) in enumerate(stats.tolist()):
         if k and SMALLEST_PIECE_MM * scale < max(w, h) < LARGEST_PIECE_MM * scale:
@@ -177,7 +179,8 @@ def _letter_pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
 
 def _ink_off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
     """Ink near lines that does not belong to them."""
-    cv2, flat = cv(), ink.flat
+    cv2 = cv()
+    flat = ink.flat
     dark = cv2.GaussianBlur(ink.dark, (0, 0), GRAIN_SMOOTHING_MM * flat.scale)
     about = numpy.ones((round(DARKEST_INK_WINDOW_MM * flat.scale),) * 2, numpy.uint8)
     middles = numpy.array([x.path[len(x.path) // 2] for x in lines])
@@ -243,7 +246,8 @@ def _shape_log_probabilities(dark: Greys, row: Sequence[LetterPiece], widest: fl
 
 def _joined_letter_picture(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
     """The picture of pieces as one letter."""
-    left, top = min(p.left for p in pieces), min(p.top for p in pieces)
+    left = min(p.left for p in pieces)
+    top = min(p.top for p in pieces)
     page = numpy.zeros((max(p.bottom for p in pieces) - top, max(p.right for p in pieces) - left), numpy.uint8)
     for p in pieces:
         page[p.top - top : p.bottom - top, p.left - left : p.right - left] |= p.mask

@@ -39,7 +39,8 @@ class Ink:
     def darkest_around(self, z: Complexes) -> Array:
         """The maximum darkness relative to paper around points in mm."""
         wide = round(2 * DARKEST_INK_RADIUS_MM * self.flat.scale) | 1
-        dark, local = cv().dilate(self.dark, numpy.ones((wide, wide), numpy.uint8)), (z - self.flat.corner)
+        dark = cv().dilate(self.dark, numpy.ones((wide, wide), numpy.uint8))
+        local = z - self.flat.corner
         h, w = dark.shape
         down = (h - local.imag * self.flat.scale).clip(0, h - 1).astype(int)
         held: Array = dark[down, (local.real * self.flat.scale).clip(0, w - 1).astype(int)].astype(float)
@@ -79,7 +80,8 @@ def paper_light(flat: Flat) -> Greys:
 def _pieces_and_sizes(flat: Flat, mask: Greys) -> tuple[Indices, Array]:
     """Separate pieces of ink: the number of each pixel's, and their sizes below a blank's title, mm (0: no ink)."""
     labels, stats = connected_components(mask)
-    sizes, title = numpy.maximum(stats[:, 2], stats[:, 3]), round(TITLE_HEIGHT_MM * flat.scale)
+    sizes = numpy.maximum(stats[:, 2], stats[:, 3])
+    title = round(TITLE_HEIGHT_MM * flat.scale)
     for k in numpy.flatnonzero(stats[:, 1] < title) if flat.by == "marks" else ():
         left, top, width, height, _ = stats[k]
         below = labels[title : top + height, left : left + width] == k
@@ -108,8 +110,11 @@ def printed_squares(flat: Flat) -> list[Square]:
 def _whiten_printed(flat: Flat, even: Greys) -> None:
     """Paints over the corner marks, the frame and the area outside it."""
     for z, reach in printed_squares(flat):
-        (x, y), r = flat.mm_to_px(z), reach * flat.scale
+        x, y = flat.mm_to_px(z)
+        r = reach * flat.scale
         cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
     left, other = (int(mm * flat.scale) for mm in FRAME_WIDTHS_MM)
-    even[:other], even[-other:] = 255, 255
-    even[:, :left], even[:, -other:] = 255, 255
+    even[:other] = 255
+    even[-other:] = 255
+    even[:, :left] = 255
+    even[:, -other:] = 255

@@ -35,14 +35,18 @@ def shape_log_probabilities(seen: Array) -> Array:
 
 def letter_features(picture: Greys) -> Array:
     """The input for a letter's picture (light ink): its ink and the direction of its gradient, cell by cell."""
-    cv2, (h, w) = cv(), picture.shape
+    cv2 = cv()
+    h, w = picture.shape
     scale = (LETTER_PICTURE_SIDE_PX - 2 * LETTER_PICTURE_MARGIN_PX) / max(h, w)
-    size, how = (max(round(w * scale), 1), max(round(h * scale), 1)), cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR
+    size = (max(round(w * scale), 1), max(round(h * scale), 1))
+    how = cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR
     letter = numpy.zeros((LETTER_PICTURE_SIDE_PX, LETTER_PICTURE_SIDE_PX), numpy.float32)
-    top, left = (LETTER_PICTURE_SIDE_PX - size[1]) // 2, (LETTER_PICTURE_SIDE_PX - size[0]) // 2
+    top = (LETTER_PICTURE_SIDE_PX - size[1]) // 2
+    left = (LETTER_PICTURE_SIDE_PX - size[0]) // 2
     letter[top : top + size[1], left : left + size[0]] = cv2.resize(picture, size, interpolation=how)
     letter = cv2.GaussianBlur(letter / max(float(letter.max()), 1.0), (0, 0), 0.8)
-    gx, gy = cv2.Sobel(letter, cv2.CV_32F, 1, 0), cv2.Sobel(letter, cv2.CV_32F, 0, 1)
+    gx = cv2.Sobel(letter, cv2.CV_32F, 1, 0)
+    gy = cv2.Sobel(letter, cv2.CV_32F, 0, 1)
     ways = (sign * g for g in (gx, gy, (gx + gy) * 0.7, (gx - gy) * 0.7) for sign in (1, -1))
     planes = [letter, *(numpy.maximum(way, 0) for way in ways)]
     return numpy.concatenate(

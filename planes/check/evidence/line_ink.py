@@ -38,10 +38,12 @@ SHORTEST_LINE_WITH_HEAD_MM = 1.5  # of a line whose head is no evidence
 class LineInk(SheetInk):
     """The lines of a drawing."""
 
-    most_head = HEAD_EVIDENCE_RANGE[1]
+    most_head = most_point = HEAD_EVIDENCE_RANGE[1]
 
     def __init__(self, sketch: ReadDrawing, names: Names) -> None:
-        self.sketch, self.names, self.source = sketch, names, None
+        self.sketch = sketch
+        self.names = names
+        self.source = None
         self.lines: Complexes = numpy.array(sketch.strokes, complex).reshape(-1, 2)
         ends = self.lines.ravel()
         self.reach_mm = abs(complex(numpy.ptp(ends.real), numpy.ptp(ends.imag))) + PAPER_MARGIN_MM
@@ -52,10 +54,12 @@ class LineInk(SheetInk):
         self.headed = bool(strokes_with_heads(sketch))
         self.plain = numpy.where((self.way == 0) & self.headed, HEADLESS_LINE_FACTOR, 1.0)
         self.points, self.ways, self.mm = self._line_pieces(length)
-        ways, tips = numpy.stack([-self.u, self.u], axis=1), self.lines
+        ways = numpy.stack([-self.u, self.u], axis=1)
+        tips = self.lines
         if self.headed:
             pointed = self.way[:, None] == [-1, 1]
-            ways, tips = ways[pointed], tips[pointed]
+            ways = ways[pointed]
+            tips = tips[pointed]
         self.tips: Complexes = tips.ravel()
         self.tip_ways: Complexes = ways.ravel()
         if (
@@ -76,12 +80,15 @@ class LineInk(SheetInk):
         _, _, met = crossings(self.lines)
         count = len(numpy.unique(numpy.r_[self.lines.ravel(), met].round(0)))
         area = float(numpy.ptp(self.lines.real) * numpy.ptp(self.lines.imag))
-        return count if count > max(LEAST_CROWDED_PLACES, CROWDED_PLACES_PER_MM2 * area) else 0
+        if count > max(LEAST_CROWDED_PLACES, CROWDED_PLACES_PER_MM2 * area):
+            return count
+        return 0
 
     def drawn_shares(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
         """The drawn share of each line from a to b, as for a sheet's ink; less for headless lines under vectors."""
         ways, begun = (numpy.nan_to_num(z, posinf=0.0, neginf=0.0).ravel() for z in (b - a, a))
-        shares, step = numpy.zeros(len(ways)), max(MOST_LINE_PAIRS_AT_ONCE // len(self.lines), 1)
+        shares = numpy.zeros(len(ways))
+        step = max(MOST_LINE_PAIRS_AT_ONCE // len(self.lines), 1)
         for k in range(0, len(ways), step):
             shares[k : k + step] = self._line_shares_within(
                 begun[k : k + step], ways[k : k + step], LINE_OFFSETS_MM[about]
@@ -103,13 +110,20 @@ class LineInk(SheetInk):
         first, last = shares = numpy.sort([one, two], axis=0).clip(0.0, 1.0)
         low, high = numpy.sort(p.real + (q.real - p.real) * shares, axis=0).clip(0.0, length[asked])
         kept = (first < last) & (low < high)
-        asked, low, high = asked[kept], low[kept], high[kept]
+        asked = asked[kept]
+        low = low[kept]
+        high = high[kept]
         worth = (
             numpy.where(turned[asked, line[kept]] > TURNED_LINE_RESPONSES[0][0], 1.0, TURNED_LINE_RESPONSES[-1][1])
             * self.plain[line[kept]]
         )
-        order, levels, drawn = numpy.lexsort((low, asked)), numpy.unique(worth), numpy.zeros(len(a))
-        asked, low, high, worth = asked[order], low[order], high[order], worth[order]
+        order = numpy.lexsort((low, asked))
+        levels = numpy.unique(worth)
+        drawn = numpy.zeros(len(a))
+        asked = asked[order]
+        low = low[order]
+        high = high[order]
+        worth = worth[order]
         for less, level in zip([0.0, *levels], levels, strict=False):
             drawn += (level - less) * _covered_lengths(asked, low, high, worth >= level, len(a))
         share: Array = drawn / length
@@ -147,10 +161,10 @@ class LineInk(SheetInk):
         """Nothing: heads in files are judged by themselves."""
         return numpy.zeros(a.shape)
 
-    def point_evidence(self, z: Complexes) -> Array:
+    def point_evidence(self, z: Complexes, roughly: bool = False) -> Array:
         """The evidence for a point at each position: a small circle there."""
         if not self.rounds.size:
-            return super().point_evidence(z)
+            return numpy.zeros(z.shape)
         return _sign_evidence(abs(z[..., None] - self.rounds).min(axis=-1))
 
     def read_words(self, a: Complexes, b: Complexes, with_heads: bool, names: Iterable[str]) -> LineWords:
@@ -160,7 +174,9 @@ class LineInk(SheetInk):
 
 def _covered_lengths(asked: Indices, low: Array, high: Array, held: Booleans, count: int) -> Array:
     """The total length covered on each line by the pieces held; they are in order."""
-    asked, low, high = asked[held], low[held], high[held]
+    asked = asked[held]
+    low = low[held]
+    high = high[held]
     if not asked.size:
         return numpy.zeros(count)
     apart = 1.0 + float(high.max())  # offset that keeps the pieces of different lines apart
@@ -171,10 +187,13 @@ def _covered_lengths(asked: Indices, low: Array, high: Array, held: Booleans, co
 def crossings(lines: Complexes) -> tuple[Indices, Indices, Complexes]:
     """Pairs of lines that meet well inside both of them, and where."""
     k, j = numpy.triu_indices(len(lines), 1)
-    v, u, off = (lines[:, 1] - lines[:, 0])[k], (lines[:, 1] - lines[:, 0])[j], lines[j, 0] - lines[k, 0]
+    v = (lines[:, 1] - lines[:, 0])[k]
+    u = (lines[:, 1] - lines[:, 0])[j]
+    off = lines[j, 0] - lines[k, 0]
     turn = (v.conj() * u).imag
     with numpy.errstate(all="ignore"):
-        s, t = (off.conj() * u).imag / turn, (off.conj() * v).imag / turn
+        s = (off.conj() * u).imag / turn
+        t = (off.conj() * v).imag / turn
         crossed = (abs(turn) > LEAST_CROSSING_SINE * abs(v * u)) & (s > 0) & (s < 1) & (t > 0) & (t < 1)
         places = lines[k, 0] + s * v
     return k[crossed], j[crossed], places[crossed]

@@ -36,7 +36,9 @@ class LineWord:
         """The distance from the segment from a to b, or from the point a."""
         if self.led is not None:
             return off_segment(self.led, a, b)
-        return self.word.distance(a) if a == b else self.word.distance_to_vector((a, b))
+        if a == b:
+            return self.word.distance(a)
+        return self.word.distance_to_vector((a, b))
 
     def naming_cost(self, own: float, others: Iterable[float], soft_mm: float = NEARER_NAME_MARGIN_MM) -> float:
         """The cost of naming an element at the distance ``own``, with ``others`` nearer or farther."""
@@ -50,7 +52,8 @@ class LineWords(HandWords):
 
     def total_name_cost(self, rows: Iterable[tuple[str, complex, complex]]) -> float:
         """The cost of assuming these marks or vectors, by whether each text is nearest to its own."""
-        every, cost = list(rows), 0.0
+        every = list(rows)
+        cost = 0.0
         places = {(a, b) for _, a, b in every}
         for word in self.words:
             own = [(a, b) for n, a, b in every if n in word.likely]
@@ -65,7 +68,9 @@ class LineWords(HandWords):
 
 def words_among_names(sketch: ReadDrawing, names: Names, known: Iterable[str]) -> LineWords:
     """The texts of a drawing that are some names."""
-    wanted, words, leads = set(known), list[LineWord](), _leader_ends(sketch)
+    wanted = set(known)
+    words = list[LineWord]()
+    leads = _leader_ends(sketch)
     for w in sketch.words:
         if meant := [n for n in names.possible_names(w.text) if n in wanted]:
             words.append(LineWord(w, dict.fromkeys(meant, TEXT_CERTAINTY / len(meant)), leads.get(id(w))))
@@ -75,7 +80,8 @@ def words_among_names(sketch: ReadDrawing, names: Names, known: Iterable[str]) -
 def _leader_ends(sketch: ReadDrawing) -> dict[int, complex]:
     """The ends of leader lines, by text: lines without heads that begin beside it, where no other line ends."""
     ends = [(k, z) for k, s in enumerate(sketch.strokes) for z in s]
-    leads, vectors = dict[int, complex](), [s for k, s in enumerate(sketch.strokes) if sketch.end_with_head(k)]
+    leads = dict[int, complex]()
+    vectors = [s for k, s in enumerate(sketch.strokes) if sketch.end_with_head(k)]
     for k, s in enumerate(sketch.strokes if strokes_with_heads(sketch) else ()):
         for a, b in (s, s[::-1]) if not sketch.end_with_head(k) else ():
             free = all(abs(a - z) > LEADER_CLEARANCE_MM for i, z in ends if i != k)

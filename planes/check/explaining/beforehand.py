@@ -59,7 +59,8 @@ def candidate_print_scales(plan: PlanLines, ink: SheetInk, pole: complex) -> lis
     """
     if plan.share != 1 or not plan.to_fit:
         return [(plan.share, Hypothesis())]
-    shares, best = [1.0, *numpy.arange(*w.PRINT_SCALE_RANGE).tolist()], dict[float, tuple[float, Hypothesis]]()
+    shares = [1.0, *numpy.arange(*w.PRINT_SCALE_RANGE).tolist()]
+    best = dict[float, tuple[float, Hypothesis]]()
     for h in (Hypothesis(), *catalogue_hypotheses(plan)):
         if (drawn := plan.mark_positions(h, {}, 1)) is not None:
             a, b = plan.line_ends(numpy.concatenate([drawn / k for k in shares]))
@@ -115,7 +116,8 @@ def _best_beam(
     beams: list[Beam] = [(0.0, (), (pole,))]
     for n in range(len(sides)):
         grown = [(score, order, path, k) for score, order, path in beams for k in range(len(sides)) if k not in order]
-        paths, step = numpy.array([path for _, _, path, _ in grown]), sides[[k for *_, k in grown]]
+        paths = numpy.array([path for _, _, path, _ in grown])
+        step = sides[[k for *_, k in grown]]
         value, ends = _side_losses(ink, paths, step, by_hand)
         value -= w.SIDE_OUT_OF_TURN_COST * (numpy.array([k for *_, k in grown]) != n)
         if words:
@@ -139,11 +141,13 @@ def _side_losses(ink: SheetInk, paths: Complexes, sides: Complexes, by_hand: boo
         if by_hand
         else numpy.zeros(1, complex)
     )
-    start, step = paths[:, -1:] + 0 * moves, numpy.where(abs(sides) > 0.1, sides, 1)[:, None]
+    start = paths[:, -1:] + 0 * moves
+    step = numpy.where(abs(sides) > 0.1, sides, 1)[:, None]
     share = ink.drawn_shares(start, start + step + moves, w.COARSE_SAMPLES_PER_LINE, 2)
     values = -abs(step) * (w.DRAWN_LINE_GAIN_PER_MM + w.MISSING_LINE_COST_PER_MM) * (1 - share)
     values = values - w.DRAWING_ERROR_WEIGHT * abs(moves / w.DRAWING_SIGMA_MM) ** 2
-    best, rows = values.argmax(axis=1), numpy.arange(len(paths))
+    best = values.argmax(axis=1)
+    rows = numpy.arange(len(paths))
     ends = (start + step + moves)[rows, best]
     value = values[rows, best]
     if by_hand:

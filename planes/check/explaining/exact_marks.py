@@ -28,7 +28,8 @@ LEAST_CROSSING_SINE = 0.1  # sine of the angle between crossing lines
 
 def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMark]:
     """The marks of a settled drawing, each where its lines end; otherwise at their crossing or at a circle."""
-    plan, marks = seen.plan, dict[str, ReadMark]()
+    plan = seen.plan
+    marks = dict[str, ReadMark]()
     places = plan.row(laid.places) + seen.pole
     for n in (POLE_LABEL, *plan.labels):
         m = plan.names.index(n)
@@ -51,7 +52,8 @@ def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMa
 
 def _lines_reaching_mark(seen: Explanation, ink: LineInk, places: Complexes, m: int) -> Booleans:
     """Which lines run along the plan's lines at a mark and reach it."""
-    plan, z = seen.plan, places[m]
+    plan = seen.plan
+    z = places[m]
     mine = numpy.zeros(len(ink.lines), bool)
     local = (z - ink.lines[:, 0]) * ink.u.conj()
     length = abs(ink.lines[:, 1] - ink.lines[:, 0])

@@ -65,7 +65,9 @@ class Explanation:
     @property
     def likeliest_drawing(self) -> Laid:
         """The likelier of the two."""
-        return self.wrong_drawing if self.wrong_drawing and self.chance_wrong > 0.5 else self.right_drawing
+        if self.wrong_drawing and self.chance_wrong > 0.5:
+            return self.wrong_drawing
+        return self.right_drawing
 
     @property
     def chance_of_other_drawing(self) -> float:
@@ -79,7 +81,9 @@ class Explanation:
             return self.plan.share
         free = replace(self.plan, held=None).mark_positions(self.likeliest_drawing.hypothesis, {}, 1)
         mark, where = self.plan.held
-        return 1.0 if free is None else float(abs(free[0, self.plan.labels.index(mark)] / where))
+        if free is None:
+            return 1.0
+        return float(abs(free[0, self.plan.labels.index(mark)] / where))
 
     @property
     def explained_ink_share(self) -> float:
@@ -90,7 +94,8 @@ class Explanation:
 
     def swapped_letter_faults(self) -> list[SignFault]:
         """Pairs of swapped letters in a right plan, detected by the marks beside them."""
-        words, right = self.scorer.words, self.likeliest_drawing
+        words = self.scorer.words
+        right = self.likeliest_drawing
         if not right.hypothesis.is_right or self.chance_of_other_drawing > w.LEAST_SERIOUS_DOUBT:
             return []
         ends = {n: self.pole + right.places[n] for n in self.plan.labels}
@@ -104,7 +109,8 @@ class Explanation:
 
     def transformed_plan_faults(self) -> list[SignFault]:
         """The fault of a plan mirrored, turned or at a wrong scale as a whole, its marks being right otherwise."""
-        h, bench = self.likeliest_drawing.hypothesis, self.plan.bench
+        h = self.likeliest_drawing.hypothesis
+        bench = self.plan.bench
         if h.kind == "scaled" and bench.asked.mu:
             return [plan_scale_fault(bench, bench.said_mu * abs(h.turn), 1 - self.chance_of_other_drawing)]
         if h.mirrored:
@@ -115,7 +121,8 @@ class Explanation:
 
     def undo_transformation(self, z: complex) -> complex:
         """A point of a plan that was mirrored or turned as a whole, transformed back."""
-        h, pole = self.likeliest_drawing.hypothesis, self.pole + self.likeliest_drawing.places.get(POLE_LABEL, 0j)
+        h = self.likeliest_drawing.hypothesis
+        pole = self.pole + self.likeliest_drawing.places.get(POLE_LABEL, 0j)
         if h.mirrored:
             return pole + ((z - pole) / h.turn).conjugate()
         as_one = h.kind == "turned_whole" or (h.kind == "scaled" and self.plan.bench.asked.mu)
@@ -123,10 +130,8 @@ class Explanation:
 
     def seen_marks(self) -> list[ReadMark]:
         """The marks seen, from the pole; for a force polygon the ends of its sides in the order of laying."""
-        best, doubt = (
-            self.likeliest_drawing,
-            self.chance_of_other_drawing if self.chance_of_other_drawing > w.NEGLIGIBLE_DOUBT else 0.0,
-        )
+        best = self.likeliest_drawing
+        doubt = self.chance_of_other_drawing if self.chance_of_other_drawing > w.NEGLIGIBLE_DOUBT else 0.0
         pole = ReadMark(POLE_LABEL, self.pole + best.places.get(POLE_LABEL, 0j), w.POLE_SIGMA_MM)
         if self.plan.kind == "force":
             return [pole, *self._force_side_marks(best, doubt)]
@@ -148,7 +153,9 @@ class Explanation:
     def _omitted_mark(self) -> str | None:
         """The mark omitted in the likeliest drawing."""
         hypothesis = self.likeliest_drawing.hypothesis
-        return hypothesis.mark if hypothesis.kind.endswith(OMISSION_SUFFIXES) else None
+        if hypothesis.kind.endswith(OMISSION_SUFFIXES):
+            return hypothesis.mark
+        return None
 
     def _force_side_marks(self, best: Laid, doubt: float) -> Iterator[ReadMark]:
         a, b = self.scorer.ends(best)
@@ -185,7 +192,8 @@ class Explanation:
 
         Otherwise, those far off in a drawing that fits the ink as well: that its mistake is rare is no evidence.
         """
-        if not self.right_drawing.places:
+        at_free_scale = self.likeliest_drawing.hypothesis.kind == "scaled" and not self.plan.bench.asked.mu
+        if at_free_scale or not self.right_drawing.places:
             return []
         if self.wrong_drawing and (
             self.likeliest_drawing is self.wrong_drawing or self.chance_of_other_drawing >= w.LEAST_SERIOUS_DOUBT
@@ -199,18 +207,20 @@ class Explanation:
         """Drawings that fit the ink as well as the best of those with every mark in place."""
         laid = [one for one in self.laid if one.places]
         here = max(
-            one.score_without_prior
+            one.score_without_mistake
             for one in laid
             if (self._distances_from_right_mm(one) <= w.RIVAL_MARK_DISTANCE_MM).all()
         )
-        return [one for one in laid if here - one.score_without_prior < w.LEAST_EVIDENCE_GAP]
+        return [one for one in laid if here - one.score_without_mistake < w.LEAST_EVIDENCE_GAP]
 
     def _displaced_marks(self, drawings: Sequence[Laid], apart_mm: float, blamed: str = "") -> list[str]:
         """Marks or sides farther than ``apart_mm`` from the right plan in any of the drawings, and those blamed."""
         off = numpy.array([self._distances_from_right_mm(one) > apart_mm for one in (self.right_drawing, *drawings)])
-        ends, names = self.plan.labels, self.plan.labels
+        ends = self.plan.labels
+        names = self.plan.labels
         if self.plan.sides:
-            ends, names = [side.end for side in self.plan.sides], [side.name for side in self.plan.sides]
+            ends = [side.end for side in self.plan.sides]
+            names = [side.name for side in self.plan.sides]
         return [name for name, end, far in zip(names, ends, off.T, strict=True) if far.any() or end == blamed]
 
     def _distances_from_right_mm(self, one: Laid) -> Array:
@@ -219,7 +229,8 @@ class Explanation:
 
     def _drawn_vectors(self, one: Laid) -> Complexes:
         """The marks of a drawing from the pole; for a force polygon its sides, in any order."""
-        places, count = self.plan.row(one.places), len(self.plan.sides)
+        places = self.plan.row(one.places)
+        count = len(self.plan.sides)
         sides = places[self.plan.ends[:count]] - places[self.plan.starts[:count]]
         return sides if count else places[: len(self.plan.labels)]
 
@@ -234,7 +245,8 @@ class Explanation:
 
     def marks_without_clear_lines(self) -> list[str]:
         """Marks with faint lines only: their positions come from the plan, not from the drawing."""
-        plan, needed = self.plan, self.plan.needed
+        plan = self.plan
+        needed = self.plan.needed
         every = ((n, needed & ((plan.starts == k) | (plan.ends == k))) for k, n in enumerate(plan.names))
         return [n for n, own in every if n in plan.labels and own.any() and self._lines_with_long_gaps[own].all()]
 
@@ -249,19 +261,21 @@ class Explanation:
 
     def reversed_vector_faults(self) -> list[SignFault]:
         """Vectors of the right plan that have their heads at their starts, where most others have them right."""
-        how, lines = {1.0: DrawnVector("end"), -2.0: DrawnVector("start")}, self.plan.lines
+        how = {1.0: DrawnVector("end"), -2.0: DrawnVector("start")}
+        lines = self.plan.lines
         names = [("", self._line_name(k)) if k < len(self.plan.sides) else line for k, line in enumerate(lines)]
         seen = {
             n: how[h]
             for n, h in zip(names, self.scorer.drawing_head_states(self.likeliest_drawing).tolist(), strict=True)
             if h in how
         }
-        return (
-            [replace(f, chance_wrong=w.REVERSED_VECTOR_CHANCE) for f in arrow_faults(seen)]
-            if self.likeliest_drawing.hypothesis.is_right
-            else []
-        )
+        if self.likeliest_drawing.hypothesis.is_right:
+            return [replace(f, chance_wrong=w.REVERSED_VECTOR_CHANCE) for f in arrow_faults(seen)]
+        return []
 
     def _line_name(self, k: int) -> str:
-        plan, line = self.plan, self.plan.lines[k]
-        return plan.sides[k].name if k < len(plan.sides) else plan.bench.vector_names.get(line) or line[1]
+        plan = self.plan
+        line = self.plan.lines[k]
+        if k < len(plan.sides):
+            return plan.sides[k].name
+        return plan.bench.vector_names.get(line) or line[1]

@@ -34,7 +34,8 @@ def fitted_marks(
         if near.sum() < w.LEAST_FITTED_POINTS or numpy.ptp(q.real[near]) < length / 2:
             continue
         slope, offset = numpy.polyfit(q.real[near], q.imag[near], 1)
-        normal, sure = numpy.array([-u.imag, u.real]), near.sum() / w.INK_POINT_SIGMA_MM**2
+        normal = numpy.array([-u.imag, u.real])
+        sure = near.sum() / w.INK_POINT_SIGMA_MM**2
         for name, along in ((plan.starts[k], 0.0), (plan.ends[k], length)):
             rows[name] += sure * numpy.outer(normal, normal)
             right[name] += sure * (offset + slope * along) * normal

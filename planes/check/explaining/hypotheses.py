@@ -84,10 +84,8 @@ def _trial_displacements_of(plan: PlanLines, places: dict[str, complex], mark: s
         v = places[mark] - places[start]
         if abs(v) < SHORTEST_LINE_MM or (start != POLE_LABEL and plan.names.index(start) > plan.names.index(mark)):
             continue
-        low, high = (
-            min(MOST_LENGTH_ERROR_SHARE * abs(v), MOST_SHORTENING_MM),
-            min(MOST_LENGTH_ERROR_SHARE * abs(v) + LEAST_DISPLACEMENT_MM * 5, MOST_LENGTHENING_MM),
-        )
+        low = min(MOST_LENGTH_ERROR_SHARE * abs(v), MOST_SHORTENING_MM)
+        high = min(MOST_LENGTH_ERROR_SHARE * abs(v) + LEAST_DISPLACEMENT_MM * 5, MOST_LENGTHENING_MM)
         along = numpy.arange(-low, high, DISPLACEMENT_STEP_MM)
         yield from (("length", mark, z) for z in (along[abs(along) > LEAST_DISPLACEMENT_MM] * v / abs(v)).tolist())
         arc = numpy.arange(
@@ -105,7 +103,8 @@ def _trial_displacements_of(plan: PlanLines, places: dict[str, complex], mark: s
 def with_mark_displaced(plan: PlanLines, base: Hypothesis, size: Free) -> Hypothesis:
     """A hypothesis with one mark moved; of two mistakes the earlier one is blamed."""
     kind, mark, moved = size
-    nudges, cost = {**base.nudges, mark: base.nudges.get(mark, 0j) + moved}, base.cost + HYPOTHESIS_COSTS[kind]
+    nudges = {**base.nudges, mark: base.nudges.get(mark, 0j) + moved}
+    cost = base.cost + HYPOTHESIS_COSTS[kind]
     if base.is_right:
         return replace(base, kind=kind, mark=mark, cost=cost, nudges=nudges)
     first = min((m for m in (base.mark, mark) if m), key=plan.names.index)

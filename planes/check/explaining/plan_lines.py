@@ -94,7 +94,8 @@ class PlanLines:
         self.true = {POLE_LABEL: 0j, LAST_SIDE_END: 0j, **self.bench.true_marks}
 
     def _lines_and_needed(self) -> tuple[list[Line], list[bool]]:
-        known, plan = {POLE_LABEL, *self.labels}, self.bench.asked.plan
+        known = {POLE_LABEL, *self.labels}
+        plan = self.bench.asked.plan
         if self.kind == "position":
             return self._link_sides_and_needed()
         if self.kind == "force":
@@ -131,7 +132,8 @@ class PlanLines:
         if self.kind != "position":
             leant = [(at_[a], at_[b], u) for a, b, u, _ in self.bench.leaning_reactions if {a, b} <= at_.keys()]
             corners = [b + ((a - b) * u.conjugate()).real * u for a, b, u in leant]
-            starts, ends = [*(a for a, _, _ in leant), *corners], [*corners, *(b for _, b, _ in leant)]
+            starts = [*(a for a, _, _ in leant), *corners]
+            ends = [*corners, *(b for _, b, _ in leant)]
             sides = [numpy.stack(z, axis=1) if z else none for z in (starts, ends)]
             return sides[0], sides[1], none, numpy.zeros(0)
         mechanism = self.bench.plans.mechanism
@@ -143,7 +145,8 @@ class PlanLines:
             slider = next(iter(link.points))
             if link.slides is None or slider not in at_:
                 continue
-            guide, reach[slider] = mechanism.guide(link.slides.guide), SUPPORT_SYMBOL_RADIUS_MM
+            guide = mechanism.guide(link.slides.guide)
+            reach[slider] = SUPPORT_SYMBOL_RADIUS_MM
             of_frame = guide.name in mechanism.frame.guides
             if (base := slider if of_frame else str(guide.through_point)) in at_:
                 off = numpy.nan_to_num(at_[slider] - at_[base])
@@ -182,7 +185,9 @@ class PlanLines:
     def drawn(self, hypothesis: Hypothesis) -> Complexes | None:
         """One drawing without displacements; None if some of its marks cannot be constructed."""
         drawn = self.mark_positions(hypothesis, {}, 1)
-        return drawn if drawn is not None and numpy.isfinite(drawn).all() else None
+        if drawn is not None and numpy.isfinite(drawn).all():
+            return drawn
+        return None
 
     def row(self, places: Mapping[str, complex]) -> Complexes:
         """The positions of marks by label as a row in the order of the names."""
@@ -204,13 +209,15 @@ class PlanLines:
 
     def line_ends(self, places: Complexes, order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
         """Starts and ends of the lines; the sides of a force polygon may be laid in another order."""
-        a, b = places[:, self.starts], places[:, self.ends]
+        a = places[:, self.starts]
+        b = places[:, self.ends]
         if self.kind == "position":
             with numpy.errstate(all="ignore"):
                 hidden = (b - a) * numpy.minimum(HIDDEN_LINE_END_MM / numpy.maximum(abs(b - a), 1e-6), 0.25)
             return a + hidden, b - hidden
         if order:
-            count, back = len(order), numpy.argsort(order)
+            count = len(order)
+            back = numpy.argsort(order)
             sides = (b - a)[:, list(order)]
             tips = places[:, -1:] + numpy.cumsum(sides, axis=1)
             a[:, :count], b[:, :count] = (tips - sides)[:, back], tips[:, back]
@@ -220,7 +227,9 @@ class PlanLines:
 
 def longest_closed_path(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Side]:
     """The longest closed path along a polygon's sides, from the pole and back; the other sides lie inside."""
-    here, passed, longest = way[-1].end if way else POLE_LABEL, {s.end for s in way}, list[Side]()
+    here = way[-1].end if way else POLE_LABEL
+    passed = {s.end for s in way}
+    longest = list[Side]()
     for side in (s for s in sides if s.start == here and s.end not in passed):
         rest = [side] if side.end == POLE_LABEL else [side, *longest_closed_path(sides, (*way, side))]
         if rest[-1].end == POLE_LABEL and len(rest) > len(longest):

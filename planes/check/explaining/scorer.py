@@ -57,6 +57,12 @@ class Laid:
         """The evidence of the sheet alone, without the prior."""
         return self.score + self.hypothesis.cost
 
+    @property
+    def score_without_mistake(self) -> float:
+        """The score but for the rarity of a mistake. That it fits at one of many sizes or places, or in another order
+        of the sides, counts."""
+        return self.score + (0.0 if self.hypothesis.is_right else w.HYPOTHESIS_COSTS["catalogue"])
+
 
 def _best_first(laid: Iterable[Laid]) -> list[Laid]:
     return sorted(laid, key=lambda one: -one.score)
@@ -77,7 +83,8 @@ class Scorer:
     def rank_drawings(self) -> list[Laid]:
         """The likeliest hypotheses, settled, the best first; the right plan is one of them."""
         if plain := self._rank_if_fully_explained() if self.ink.exact else []:
-            before, named = plain[0].score, self._rank_by_heads_and_names(plain)
+            before = plain[0].score
+            named = self._rank_by_heads_and_names(plain)
             if before - named[0].score < w.LEAST_EVIDENCE_GAP:  # no name stands elsewhere
                 return named
             self.box = None
@@ -143,10 +150,12 @@ class Scorer:
         """
         if not one.places:
             return False
-        (a, b), scheme = self.ends(one), self.plan.kind == "position"
+        a, b = self.ends(one)
+        scheme = self.plan.kind == "position"
         signs = len(self.plan.labels) if scheme else (lines_to_look_for(a[None], b[None]) & self.plan.needed).sum()
         beside = w.UNEXPLAINED_COST_PER_MM * min(one.strange, self._most_unexplained_mm) if scheme else 0.0
-        short = w.HEAD_EVIDENCE_WEIGHT * self.ink.most_head * signs - one.score_without_prior - beside
+        most = self.ink.most_point if scheme else self.ink.most_head
+        short = w.HEAD_EVIDENCE_WEIGHT * most * signs - one.score_without_prior - beside
         return bool(
             short - one.erred < w.LEAST_EVIDENCE_GAP
             and not (one.hypothesis.is_right and short > w.HYPOTHESIS_COSTS["length"])
@@ -157,15 +166,19 @@ class Scorer:
         could = [(h, drawn) for h, drawn in self.plan.draw_each_hypothesis(every) if drawn is not None]
         if not could:
             return []
-        scores = self.line_coverage_scores(
-            *self._lines_on_sheet(every[0], numpy.concatenate([drawn for _, drawn in could])), 2
-        )[0]
+        scores = self._rough_drawing_scores(every[0], numpy.concatenate([drawn for _, drawn in could]))
         return [(score - h.cost, h, drawn) for score, (h, drawn) in zip(scores.tolist(), could, strict=True)]
+
+    def _rough_drawing_scores(self, h: Hypothesis, drawn: Complexes) -> Array:
+        """Rough scores of the lines and the points of drawings with the sides in the order of a hypothesis."""
+        lines = self.line_coverage_scores(*self._lines_on_sheet(h, drawn), 2)[0]
+        return lines + self.point_symbol_scores(drawn, roughly=True)
 
     def _likeliest_print_scale(self) -> float:
         """The print scale of the sheet: the one with the likeliest settled drawing."""
         shares = candidate_print_scales(self.plan, self.ink, self.pole)
-        best, most = shares[0][0], -math.inf
+        best = shares[0][0]
+        most = -math.inf
         for share, h in shares if len(shares) > 1 else ():
             self.plan.share = share
             tried = [h, *self._orders_by_ink()[:1]]
@@ -184,7 +197,8 @@ class Scorer:
         orders, too."""
         best = laid[0]
         a, b = self.ends(best)
-        seen, force = abs(b - a) > w.SHORTEST_LINE_MM, self.plan.kind == "force"
+        seen = abs(b - a) > w.SHORTEST_LINE_MM
+        force = self.plan.kind == "force"
         names = [s.name for s in self.plan.sides] if force else self.plan.labels
         self.words = self.ink.read_words(a[seen], b[seen], self.plan.kind != "position", names)
         if force and self.words.words:
@@ -250,9 +264,7 @@ class Scorer:
         drawn = self.plan.mark_positions(base, moves, len(sizes)) if sizes else None
         if drawn is None:
             return []
-        scores = self.line_coverage_scores(*self._lines_on_sheet(base, drawn), 2)[0] - numpy.array(
-            [w.HYPOTHESIS_COSTS[kind] for kind, *_ in sizes]
-        )
+        scores = self._rough_drawing_scores(base, drawn) - [w.HYPOTHESIS_COSTS[kind] for kind, *_ in sizes]
         kept: dict[tuple[str, str], list[complex]] = {}
         best = []
         for k in numpy.argsort(-scores, kind="stable")[: w.MOST_DISPLACEMENTS].tolist():
@@ -280,20 +292,18 @@ class Scorer:
         said: Array = w.HEAD_EVIDENCE_WEIGHT * numpy.where(there, felt, 0.0).sum(axis=1)
         return said
 
-    def point_symbol_scores(self, drawn: Complexes) -> Array:
-        """The score of the symbols of points at the marks of each row of a scheme."""
+    def point_symbol_scores(self, drawn: Complexes, roughly: bool = False) -> Array:
+        """The score of the symbols of points at the marks of each row of a scheme, or near them."""
         if self.plan.kind != "position":
             return numpy.zeros(len(drawn))
-        said: Array = w.HEAD_EVIDENCE_WEIGHT * self.ink.point_evidence(
-            drawn[:, : len(self.plan.labels)] + self.pole
-        ).sum(axis=1)
-        return said
+        said = self.ink.point_evidence(drawn[:, : len(self.plan.labels)] + self.pole, roughly)
+        return numpy.asarray(w.HEAD_EVIDENCE_WEIGHT * said.sum(axis=1))
 
     def full_scores(self, h: Hypothesis, drawn: Complexes, roughly: bool = False) -> tuple[Array, Array, Array]:
         """The full score of each row, the share of its needed lines found, and the ink left over, mm."""
         a, b = self._lines_on_sheet(h, drawn)
         score, cover = self.line_coverage_scores(a, b, 1 + roughly, 0.0)
-        score = score + self.head_scores(a, b) + self.point_symbol_scores(drawn)
+        score = score + self.head_scores(a, b) + self.point_symbol_scores(drawn, roughly)
         if self.box is None:
             return score, cover, numpy.zeros(len(a))
         more_a, more_b, signs, reach = self.plan.extra_symbols(drawn)
@@ -305,7 +315,9 @@ class Scorer:
     @property
     def _most_unexplained_mm(self) -> float:
         """The maximum unexplained ink that is weighed, mm: for a scheme in a file, as much as beside a single view."""
-        return w.MOST_INK_BESIDE_SCHEME_MM if self.ink.exact and self.plan.kind == "position" else math.inf
+        if self.ink.exact and self.plan.kind == "position":
+            return w.MOST_INK_BESIDE_SCHEME_MM
+        return math.inf
 
     def drawing_error_cost(self, moves: Moves) -> Array:
         """The cost of drawing errors: marks off their constructed points."""
@@ -320,7 +332,8 @@ class Scorer:
 
     def settle_hypothesis(self, h: Hypothesis) -> Laid:
         """A hypothesis with each mark settled on its ink."""
-        held, scores = dict.fromkeys(self.plan.names, 0j), numpy.zeros(0)
+        held = dict.fromkeys(self.plan.names, 0j)
+        scores = numpy.zeros(0)
         if (drawn := self.plan.mark_positions(h, {}, 1)) is None:
             return Laid(h, IMPOSSIBLE_SCORE)
         self.far = dict(zip(self.plan.names, numpy.nan_to_num(abs(drawn[0])).tolist(), strict=True))
@@ -350,7 +363,8 @@ class Scorer:
         self, h: Hypothesis, held: dict[str, complex], about: int, moves: list[tuple[str, complex]]
     ) -> Array:
         """The scores of moving each mark from where it is ``held``, once no move improves the score."""
-        best, scores = -math.inf, numpy.zeros(0)
+        best = -math.inf
+        scores = numpy.zeros(0)
         for _ in range(w.MOST_SETTLING_ROUNDS):
             tried = {n: numpy.full(len(moves) + 1, v) for n, v in held.items()}
             for k, (n, z) in enumerate(moves, 1):
@@ -376,14 +390,16 @@ class Scorer:
         if drawn is None:
             return Laid(h, IMPOSSIBLE_SCORE)
         score, cover, strange = (float(row[0]) for row in self.full_scores(h, drawn))
-        erred, places = float(self.drawing_error_cost(held)), dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
+        erred = float(self.drawing_error_cost(held))
+        places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
         laid = Laid(h, score, cover, places, self._sigmas(scores), strange, {n: abs(z) for n, z in held.items()}, erred)
         laid.score += omitted_lines_log_odds(self.plan, self.ink, *self.ends(laid)) - erred - h.cost
         return laid
 
     def _sigmas(self, scores: Array) -> dict[str, float]:
         """How well the ink locates each settled mark, by the drop of the score around it: σ of a parabola."""
-        sizes, sigmas = w.SETTLING_MOVES_MM[-1][1], dict[str, float]()
+        sizes = w.SETTLING_MOVES_MM[-1][1]
+        sigmas = dict[str, float]()
         worse = (scores[0] - scores[1:]).reshape(len(self.plan.names), len(sizes), 8)[:, 0]  # at the largest move
         for name, off in zip(self.plan.names, worse, strict=True):
             own = (

@@ -24,18 +24,21 @@ def likeliest_pole(
     """
     known = cells is not None
     cells = numpy.unique(numpy.round(ink.points / POLE_GRID_MM)) * POLE_GRID_MM if cells is None else cells
-    best, most = complex(cells[0]), -numpy.inf
+    best = complex(cells[0])
+    most = -numpy.inf
     for h in (Hypothesis(), *catalogue_hypotheses(plan)):
         if (drawn := plan.drawn(h)) is None:
             continue
         scores, shares = _scores_from_poles(plan, ink, drawn, cells)
-        scores, place = scores - price, cells
+        scores = scores - price
+        place = cells
         if not known:
             place = cells[scores.argmax()] + (POLE_REFINEMENT_STEPS_MM[:, None] + 1j * POLE_REFINEMENT_STEPS_MM).ravel()
             scores, shares = _scores_from_poles(plan, ink, drawn, place)
         k = int(scores.argmax())
         if scores[k] - h.cost > most:
-            best, most = complex(place[k]), float(scores[k]) - h.cost
+            best = complex(place[k])
+            most = float(scores[k]) - h.cost
         if h.is_right and shares[k] > CLEAR_PLAN_LINE_SHARE:
             break
     return best
@@ -48,7 +51,8 @@ def _scores_from_poles(plan: PlanLines, ink: SheetInk, drawn: Complexes, poles: 
     """
     a, b = plan.line_ends(drawn)
     seen = (lines_to_look_for(a, b) & plan.needed)[0]
-    a, b = a[0, seen], b[0, seen]
+    a = a[0, seen]
+    b = b[0, seen]
     if plan.kind == "force":
         a, b = numpy.zeros(2 * len(a), complex), numpy.r_[b - a, a - b]
     length = abs(b - a)

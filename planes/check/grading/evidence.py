@@ -44,9 +44,11 @@ def chance_of_random_marks(
     is as much evidence as a mark.
     """
     size = marks_extent_mm(hand, misses)
-    shares, stand = [] if gap_mm is None else [min(gap_mm / size, 1.0) ** 2], [0j]
+    shares = [] if gap_mm is None else [min(gap_mm / size, 1.0) ** 2]
+    stand = [0j]
     for mark, miss in misses.items():
-        place, reach = hand.taken[mark].place, limit * miss.mean_sigma_mm
+        place = hand.taken[mark].place
+        reach = limit * miss.mean_sigma_mm
         if not isinstance(hand.program.steps_by_result[mark], Same) and all(abs(place - z) > reach for z in stand):
             shares.append(min(reach / size, 1.0) ** 2)
         stand.append(place)
@@ -86,7 +88,8 @@ def candidate_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list
 def _drawn_to_true_ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
     """Ratios of drawn to true lengths with their errors: of the vectors in a force plan, else from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    force, pole = plan_kind(bench.asked.plan) == "force", full_mark_name(bench.asked.plan, POLE_LABEL)
+    force = plan_kind(bench.asked.plan) == "force"
+    pole = full_mark_name(bench.asked.plan, POLE_LABEL)
     ratios = []
     for mark in bench.marks:
         step = bench.program.steps_by_result[mark]

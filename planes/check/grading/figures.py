@@ -67,7 +67,9 @@ def read_results(
     """The figures of a table of results, in SI; two names of one quantity are equivalent."""
     meant = {text: names.possible_names(text) for text, *_ in written}
     sure = {text: one[0] for text, one in meant.items() if len({known[n].json_path for n in one}) == 1}
-    figures, unknown, strange = list[WrittenNumber](), dict[str, str](), dict[str, Phrase]()
+    figures = list[WrittenNumber]()
+    unknown = dict[str, str]()
+    strange = dict[str, Phrase]()
     for text, value, unit in written:
         name = sure.get(text)
         in_si = unit_in_si(unit, known[name].column_to_write.unit if name else "")
@@ -97,7 +99,8 @@ def quantity_figure(name: str, q: Quantity, value: float) -> WrittenNumber:
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
-    plan, labels = bench.asked.plan, [label_of(m) for m in bench.marks]
+    plan = bench.asked.plan
+    labels = [label_of(m) for m in bench.marks]
     ends = [
         n for n in (POLE_LABEL, *labels) if full_mark_name(plan, n) in bench.program.result_names
     ]  # a scheme has no pole

@@ -54,24 +54,22 @@ class Grading:
     @property
     def closing_error(self) -> complex:
         """The closing error of a force polygon, mm."""
-        return self.rebuilt.gap.place if self.rebuilt and self.rebuilt.gap else 0j
+        if self.rebuilt and self.rebuilt.gap:
+            return self.rebuilt.gap.place
+        return 0j
 
     @property
     def wrong_closing_error_mm(self) -> float | None:
         """The size of the closing error, where drawing errors and short unseen forces do not account for it."""
-        return (
-            abs(self.closing_error)
-            if self._closing_error_excess_mm > sum(self._short_unseen_forces_mm.values())
-            else None
-        )
+        if self._closing_error_excess_mm > sum(self._short_unseen_forces_mm.values()):
+            return abs(self.closing_error)
+        return None
 
     @property
     def _closing_error_excess_mm(self) -> float:
-        return (
-            abs(self.closing_error) - self.judgement.limit * self.closing_error_sigma_mm
-            if self.closing_error_sigma_mm
-            else 0.0
-        )
+        if self.closing_error_sigma_mm:
+            return abs(self.closing_error) - self.judgement.limit * self.closing_error_sigma_mm
+        return 0.0
 
     @property
     def _short_unseen_forces_mm(self) -> dict[str, float]:
@@ -83,13 +81,17 @@ class Grading:
     def laid_off_length_mm(self, mark: str) -> float:
         """The length of a vector that is laid off; 0 for other constructions."""
         step = self.hand.program.steps_by_result[mark]
-        return float(abs(self.truth[mark] - self.truth[step.start])) if isinstance(step, LayOff) else 0.0
+        if isinstance(step, LayOff):
+            return float(abs(self.truth[mark] - self.truth[step.start]))
+        return 0.0
 
     @property
     def closing_error_sigma_mm(self) -> float | None:
         """The drawing error at the closure of a polygon, mm; None if there is no closure."""
         gap = self.rebuilt.gap if self.rebuilt else None
-        return math.sqrt(2 * self.hand.tool.skill.point_mm**2 + 2 * gap.error_mm**2) if gap else None
+        if gap:
+            return math.sqrt(2 * self.hand.tool.skill.point_mm**2 + 2 * gap.error_mm**2)
+        return None
 
     @property
     def chance_wrong(self) -> float:
@@ -142,20 +144,27 @@ class Grading:
         """An error though no mark is wrong: a missing force, a polygon that does not close."""
         if left := self.missing_force:
             return Phrase(f"mistake_{'weight' if letter_of(left) == 'G' else 'force'}_missing", mark=left)
-        gap, closing = self.wrong_closing_error_mm, self.rebuilt.closing if self.rebuilt else ""
-        return Phrase("mistake_not_closed", mark=closing, gap=Written(f"{gap:.1f}")) if gap else None
+        gap = self.wrong_closing_error_mm
+        closing = self.rebuilt.closing if self.rebuilt else ""
+        if gap:
+            return Phrase("mistake_not_closed", mark=closing, gap=Written(f"{gap:.1f}"))
+        return None
 
     @property
     def fault(self) -> Phrase | None:
         """The first error and its correction."""
-        named, wrong = self.judgement.named, self.judgement.wrong
+        named = self.judgement.named
+        wrong = self.judgement.wrong
         if named:
             return named.sentence
         if not wrong:
             return self.polygon_fault
-        mark, off = label_of(wrong[0]), self.judgement.misses[wrong[0]].off
+        mark = label_of(wrong[0])
+        off = self.judgement.misses[wrong[0]].off
         drawable = math.isfinite(abs(off))
-        return wrong_vector_phrase(self.hand, wrong[0], off) if drawable else Phrase("check_undrawable", mark=mark)
+        if drawable:
+            return wrong_vector_phrase(self.hand, wrong[0], off)
+        return Phrase("check_undrawable", mark=mark)
 
     @property
     def unverified_marks(self) -> list[str]:
@@ -196,12 +205,15 @@ class Grading:
     def runner_up(self) -> str | None:
         """The second most likely mistake."""
         judgement = self.judgement
-        return judgement.runner_up.mistake if judgement.runner_up and judgement.first_wrong else None
+        if judgement.runner_up and judgement.first_wrong:
+            return judgement.runner_up.mistake
+        return None
 
     @property
     def random_match_probability(self) -> float:
         """The probability that random marks on the drawing would be as right."""
-        j, sigma = self.judgement, self.closing_error_sigma_mm
+        j = self.judgement
+        sigma = self.closing_error_sigma_mm
         return chance_of_random_marks(
             self.hand, j.misses, j.limit, not self.said_mu, j.limit * sigma if sigma else None
         )
@@ -212,7 +224,8 @@ class Grading:
 
         There are several; the wrong ones are far off, while nearly all others were seen and are right.
         """
-        judgement, apart = self.judgement, [0j]
+        judgement = self.judgement
+        apart = [0j]
         for place in (self.hand.taken[m].place for m in judgement.misses):
             apart += [place] if all(abs(place - z) > MOST_MISREADING_MM for z in apart) else []
         if len(apart) < 3 or not self.fault:
@@ -261,10 +274,12 @@ def _grade_at_scale(
     bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, ReadMark], rebuilt: Rebuilt | None = None
 ) -> Grading:
     """Grades at one scale."""
-    skill, name = bench.asked.skill, mu_name(bench.asked.plan)
+    skill = bench.asked.skill
+    name = mu_name(bench.asked.plan)
     given = {**bench.given, name: mu}
     unsure = {name: share} if share and name in bench.program.given_names else {}
-    hand, truth = Hand(bench.program, given, skill, taken, unsure), draw_program(bench.program, given)
+    hand = Hand(bench.program, given, skill, taken, unsure)
+    truth = draw_program(bench.program, given)
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
     own = {m: taken[m] for m in bench.marks if m in taken}  # the largest error from drafting alone
     apart = {m: free.miss(free.things[m], t.place).with_reading_error(t.error_mm) for m, t in own.items()}
@@ -272,7 +287,8 @@ def _grade_at_scale(
     judgement = judge(
         hand, bench.marks, mistake_variants(bench, hand.taken, mu), plan_extent(truth, bench.asked.plan), absent
     )
-    wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
+    wrong = judgement.wrong
+    at_home = {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but in the right place
     doubtful = (
         any(t.doubt for t in own.values())

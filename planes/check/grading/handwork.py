@@ -40,7 +40,8 @@ class Miss:
     def sigmas(self) -> float:
         """Mahalanobis distance: the miss in standard deviations, in its direction."""
         xx, xy, yy = self.cov
-        x, y = self.off.real, self.off.imag
+        x = self.off.real
+        y = self.off.imag
         return math.sqrt(max((yy * x * x - 2 * xy * x * y + xx * y * y) / self._area, 0.0))
 
     @property
@@ -51,7 +52,8 @@ class Miss:
 
     def tolerance_mm(self, limit: float) -> float:
         """The tolerance in mm in the direction of the miss (if zero: the largest)."""
-        sigmas, off = self.sigmas, abs(self.off)
+        sigmas = self.sigmas
+        off = abs(self.off)
         return limit * (off / sigmas if sigmas > 1e-9 and off > 1e-9 else self.largest_sigma_mm)
 
     def with_reading_error(self, error_mm: float) -> Miss:
@@ -103,14 +105,16 @@ class Person(Tool):
         own = isinstance(step, Measure) and bool(step.along) and self.is_read(step.start) & self.is_read(step.end)
         if not isinstance(step, Measure) or own is False:
             made = step.draw(things, self)
-            return self.transfer_direction(made) if needs_protractor(step, self.values) else made
-        way, along = (
-            self.without_errors(things[step.end] - things[step.start]),
-            self.without_errors(things[step.along or ""]),
-        )
+            if needs_protractor(step, self.values):
+                return self.transfer_direction(made)
+            return made
+        way = self.without_errors(things[step.end] - things[step.start])
+        along = self.without_errors(things[step.along or ""])
         sign = self.ar.where(way.real * along.real + way.imag * along.imag < 0, -1.0, 1.0)
         lies = sign * replace(step, along=None).draw(things, self)
-        return lies if own is True else self.ar.where(own, lies, step.draw(things, self))
+        if own is True:
+            return lies
+        return self.ar.where(own, lies, step.draw(things, self))
 
     def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         made = super().draw_by_other_steps(step, way, things)
@@ -142,7 +146,8 @@ class Hand:
         taken: Mapping[str, ReadMark],
         unsure: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
-        self.program, self.taken = program, taken
+        self.program = program
+        self.taken = taken
         self.given, self.unsure = given, unsure  # a result may be of a given, or need a scale used by no step
         shared = max((len(t.shared) for t in taken.values()), default=0)
         columns, width = error_columns(program.steps, [*taken, *self.unsure], shared)
@@ -171,7 +176,8 @@ class Hand:
         off = self.tool.spread_over_drawings(read - drawn + 0j)
         change = _error_contributions(off)
         floor = LEAST_MARK_ERROR_MM**2
-        xx, yy = float(change.real @ change.real) + floor, float(change.imag @ change.imag) + floor
+        xx = float(change.real @ change.real) + floor
+        yy = float(change.imag @ change.imag) + floor
         return Miss(complex(off[0]), (xx, float(change.real @ change.imag), yy), change)
 
     def sigma_of_value(self, value: Point) -> float:

@@ -92,10 +92,8 @@ def judge(
     elif ranked and ranked[0].score >= RIVAL_MISTAKE_LOG_ODDS:
         judgement.as_well = ranked[0].variant
     suspect = next((m for m in judgement.wrong[:1] if weighing.doubts[m]), None)
-    right, otherwise = (
-        weighing.log_prob_all_right(suspect),
-        weighing.log_prob_misread_mark(suspect) if suspect else -math.inf,
-    )
+    right = weighing.log_prob_all_right(suspect)
+    otherwise = weighing.log_prob_misread_mark(suspect) if suspect else -math.inf
     judgement.chance_wrong = chance_wrong(right, otherwise, (one.score for one in ranked))
     return judgement
 
@@ -113,7 +111,8 @@ class _Weighing:
     """Weighs hypotheses about the marks of a hand against each other."""
 
     def __init__(self, hand: Hand, marks: Sequence[str], broad: float) -> None:
-        self.hand, self.broad = hand, broad
+        self.hand = hand
+        self.broad = broad
         self.order = judging_order(hand.program.steps, marks)
         self.plain = hand.misses(marks)
         # limit of a miss in σ: 3σ for a single mark, more where many could each be the unlucky one
@@ -135,7 +134,8 @@ class _Weighing:
 
     def _unknown_cause_log_density(self, mark: str) -> float:
         """Log density of a mark that is wrong for no known cause: anywhere, or anywhere on a line of its step."""
-        step, every = self.hand.program.steps_by_result[mark], [self.broad]
+        step = self.hand.program.steps_by_result[mark]
+        every = [self.broad]
         for start, along in (("start", "along"), ("other", "across")):
             if hasattr(step, along):
                 origin, way = (complex(self.hand.value_without_errors(getattr(step, name))) for name in (start, along))
@@ -156,19 +156,19 @@ class _Weighing:
         share = log_prob_no_slips(self.misses, self.broad, self.doubts)
         if suspect is None or not math.isfinite(self.misses[suspect].sigmas):
             return share
-        miss, doubt = self.misses[suspect], self.doubts[suspect]
+        miss = self.misses[suspect]
+        doubt = self.doubts[suspect]
         return share + right_mark_log_density(miss, self.broad, 0.0) - right_mark_log_density(miss, self.broad, doubt)
 
     def log_prob_misread_mark(self, mark: str) -> float:
         """The same with another point misread as the suspected mark, located instead by the marks drawn from it."""
-        hand, own = self.hand, self.hand.taken[mark]
+        hand = self.hand
+        own = self.hand.taken[mark]
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
         plain = other.misses([m for m in self.plain if m != mark])
-        misses, own_miss = (
-            misses_given_earlier(plain, self.order, self.limit),
-            self.mark_log_density(mark, self.misses[mark]),
-        )
+        misses = misses_given_earlier(plain, self.order, self.limit)
+        own_miss = self.mark_log_density(mark, self.misses[mark])
         off = misread_log_density(own.place - complex(other.value_without_errors(mark)), self.broad, self.doubts[mark])
         return self.log_likelihood_gain(misses) + off - own_miss + log_prob_no_slips(misses, self.broad, self.doubts)
 
@@ -205,11 +205,13 @@ class _Weighing:
 
 def _name_likeliest_mistake(judgement: Judgement, ranked: Sequence[ScoredHypothesis], unknown: float) -> None:
     """Names the likeliest mistake if it is well ahead of the next and no less likely than an unknown cause."""
-    best, rest = ranked[0], ranked[1:]
+    best = ranked[0]
+    rest = ranked[1:]
     if best.score < unknown or (rest and best.score - rest[0].score < LEAST_LEAD_LOG_ODDS):
         judgement.runner_up = best.variant
         return
-    judgement.named, judgement.runner_up = best.variant, rest[0].variant if rest else None
+    judgement.named = best.variant
+    judgement.runner_up = rest[0].variant if rest else None
     judgement.cause = logistic(best.score - float(numpy.logaddexp.reduce([unknown, *(one.score for one in rest)])))
     judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
     judgement.score += best.score + math.log(SLIP_PROBABILITY)
@@ -230,14 +232,16 @@ def _best_variant_per_mistake(scored: Sequence[ScoredHypothesis]) -> list[Scored
 
 def mark_verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
     """right, wrong, follows or unread for every mark; ``strayed`` says which are off the true plan."""
-    out, upset = {}, False
+    out = {}
+    upset = False
     for mark in order:
         label = label_of(mark)
         upset = upset or label == judgement.first_wrong
         if mark not in judgement.misses:
             out[mark] = "unread"
         elif mark in judgement.wrong and not (mark in judgement.explained and label != judgement.first_wrong):
-            out[mark], upset = "wrong", True
+            out[mark] = "wrong"
+            upset = True
         else:
             out[mark] = "follows" if (upset or mark in judgement.wrong) and strayed.get(mark) else "right"
     return out
@@ -254,13 +258,15 @@ def misses_given_earlier(misses: Mapping[str, Miss], order: Sequence[str], limit
     off = numpy.array([misses[m].off for m in names]).view(float)
     known_before = {}
     for i, name in enumerate(names):
-        x, y = 2 * i, 2 * i + 1
+        x = 2 * i
+        y = 2 * i + 1
         left = float(cov[x, x]), float(cov[x, y]), float(cov[y, y])
         known_before[name] = Miss(complex(off[x], off[y]), left, misses[name].change)
         if known_before[name].sigmas <= limit:
             for k in (x, y):
                 gain = cov[k] / cov[k, k]
-                off, cov = off - gain * off[k], cov - numpy.outer(gain, cov[k])
+                off = off - gain * off[k]
+                cov = cov - numpy.outer(gain, cov[k])
     return {m: known_before[m] for m in misses}
 
 

@@ -35,11 +35,13 @@ def motion_variants(w: PlanSteps) -> Iterator[Variant]:
 def _driver_mistakes(w: PlanSteps, quick: bool) -> Iterator[Variant]:
     """The driver's motion taken with the wrong sense, or left out."""
     drive = w.plans.mechanism.drive
-    spin, name = "epsilon" if quick else "omega", drive.rate_names[quick]
+    spin = "epsilon" if quick else "omega"
+    name = drive.rate_names[quick]
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _determines_length(w, name, s.length)), None)
     if name not in w.program.given_names or mark is None:
         return
-    value, label = float(w.plans.given[name]), label_of(mark)
+    value = float(w.plans.given[name])
+    label = label_of(mark)
     about = {"value": name}
     yield Variant(f"{spin}1_reversed", label, {}, {name: -value}, 1.0, about)
     if quick:
@@ -54,7 +56,8 @@ def _intersection_mistakes(w: PlanSteps, step: Cross, quick: bool) -> Iterator[V
     """An intersection of two lines: one of them in a wrong direction or from a wrong point."""
     sides = (("along", step.along), ("across", step.across))
     for side, direction in sides:
-        line, guide = w.base_of_perpendicular(direction), guide_of(direction)
+        line = w.base_of_perpendicular(direction)
+        guide = guide_of(direction)
         if line and guide_of(line) is None:
             about: dict[str, Told] = {"line": line}
             mistake = "tangential_along_link" if quick else "along_link"
@@ -130,7 +133,8 @@ def _normal_component_ends(w: PlanSteps, start: str, end: str) -> Iterator[str]:
 
 def _mirrored_similarity(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
     """The similar figure mirrored about its base."""
-    name, label = f"mirrored {step.makes}", label_of(step.makes)
+    name = f"mirrored {step.makes}"
+    label = label_of(step.makes)
     if isinstance(step, Similar):
         ratio = complex(w.plans.given[step.ratio]).conjugate()
         swaps = {step.makes: (replace(step, ratio=name),)}
@@ -151,7 +155,8 @@ class Mirror(Step):
         return tuple((n, "mark") for n in (*self.of, *self.like))
 
     def draw(self, env: Env, tool: Tool) -> Point:
-        (a, b), (c, d) = self.of, self.like
+        a, b = self.of
+        c, d = self.like
         along = env[d] - env[c]
         return env[a] + along * ((env[b] - env[a]) / along).conjugate()
 

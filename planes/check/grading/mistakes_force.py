@@ -104,12 +104,15 @@ def _arm_construction(w: PlanSteps, term: Product) -> Drop | None:
 def _term_with_arm_in_mm(w: PlanSteps, term: Product) -> Product:
     """A term with its arm in millimetres on paper."""
     drop = _arm_construction(w, term)
-    return replace(term, factors=(*term.factors, (drop.mu, 1))) if drop else term
+    if drop:
+        return replace(term, factors=(*term.factors, (drop.mu, 1)))
+    return term
 
 
 def _arm_mistakes(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
     """The distance between two points, or the wrong leg of the triangle, taken as the arm."""
-    formula, drop = w.length_formula(step), _arm_construction(w, term)
+    formula = w.length_formula(step)
+    drop = _arm_construction(w, term)
     if not formula or not drop:
         return
     distance = Measure(f"{drop.makes}~whole", drop.point, drop.about, None, drop.mu)
@@ -130,7 +133,8 @@ def _formula_with_term_replaced(formula: Calculate, old: Product, new: Product) 
 
 
 def _moment_equation_variant(step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
-    label, shown = label_of(step.makes), force.strip("|").replace("MI_", "M_Φ")
+    label = label_of(step.makes)
+    shown = force.strip("|").replace("MI_", "M_Φ")
     return Variant(mistake, label, {step.length: steps}, {}, weight, {"force": shown})
 
 

@@ -60,8 +60,10 @@ def _other_class_iii_assemblies(w: PlanSteps) -> Iterator[Variant]:
     cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
     for holds, cut in cuts.items():
         program = w.program.cut_to_names([name for hold in holds for name, _ in hold.input_names()])
-        things, guess = draw_program(program, {**w.plans.given, cut.mu: 1.0}).things, cut.guess
-        ties, size = [hold.lead_tie(things, 1.0, Arithmetic()) for hold in holds], things[guess.size]
+        things = draw_program(program, {**w.plans.given, cut.mu: 1.0}).things
+        guess = cut.guess
+        ties = [hold.lead_tie(things, 1.0, Arithmetic()) for hold in holds]
+        size = things[guess.size]
         drawn = draw_program(w.program.cut_to_names([cut.makes]), {**w.plans.given, cut.mu: 1.0})[cut.makes]
         terms = *guess.places, *(name for turn in guess.turns for name in turn)
         here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys(terms, 0.0)
@@ -77,7 +79,8 @@ def _other_class_iii_assemblies(w: PlanSteps) -> Iterator[Variant]:
             turned = {turn[0]: cmath.phase(axis) for turn, axis in zip(guess.turns, pose[1:], strict=True)}
             there = here | {guess.places[0]: pose[0] / size} | turned
             there[cut.side] = math.copysign(1.0, newton_step(ties, pose)[2])
-            users, part = w.steps_using(guess.middle), 1 / len(others)
+            users = w.steps_using(guess.middle)
+            part = 1 / len(others)
             yield from _variant_of_changed_givens(w, "other_assembly", users, there, part, {"which": which})
 
 
@@ -122,7 +125,9 @@ def _variant_of_changed_givens(
 
 def _link_scale_mistakes(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
     """A length drawn at another scale, the one shown by the person's own mark."""
-    own, label, ends = taken.get(step.makes), label_of(step.makes), list[tuple[str, str]]()
+    own = taken.get(step.makes)
+    label = label_of(step.makes)
+    ends = list[tuple[str, str]]()
     if isinstance(step, LayOff):
         ends.append((step.start, step.length))
     if isinstance(step, CrossArc | CrossArcs):
@@ -130,7 +135,8 @@ def _link_scale_mistakes(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark]
     if isinstance(step, CrossArcs):
         ends.append((step.other, step.other_radius))
     for centre, length in ends:
-        value, start = w.plans.given.get(length), taken.get(centre)
+        value = w.plans.given.get(length)
+        start = taken.get(centre)
         if own is None or start is None or not value or length not in w.plans.link_lengths:
             continue
         ratio = abs(own.place - start.place) / mu / abs(float(value))

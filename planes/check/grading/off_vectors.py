@@ -29,7 +29,9 @@ def vector_start_label(hand: Hand, mark: str) -> str | None:
         return None
     step = hand.program.steps_by_result[mark]
     start = label_of(step.start) if isinstance(step, LayOff) else POLE_LABEL
-    return start if start == POLE_LABEL or full_mark_name(plan_of(mark), start) in hand.taken else None
+    if start == POLE_LABEL or full_mark_name(plan_of(mark), start) in hand.taken:
+        return start
+    return None
 
 
 def vector_label(hand: Hand, mark: str) -> str:

@@ -200,7 +200,9 @@ def _rounding_error_mm(cell: object) -> float:
     """The rounding error of a number: for 12.5, 0.1/√12 mm."""
     text = str(cell).replace(",", ".")
     digits = len(text.partition(".")[2])
-    return 0.02 if "e" in text.lower() else float(max(10.0**-digits / _ROUNDING_SIGMA_DIVISOR, 0.02))
+    if "e" in text.lower():
+        return 0.02
+    return float(max(10.0**-digits / _ROUNDING_SIGMA_DIVISOR, 0.02))
 
 
 def _read_json(paper: ReadPaper, text: str) -> None:

@@ -22,7 +22,8 @@ SHARED_ERRORS_NAME = "shared"  # name of the errors shared by all marks
 
 def error_columns(steps: Iterable[Step], read: Iterable[str], shared: int = 0) -> tuple[dict[str, int], int]:
     """The first error column of every step, of every name read with an error and of shared errors; the column count."""
-    columns, width = dict[str, int](), 1
+    columns = dict[str, int]()
+    width = 1
     drawn = ((s.makes, _ERRORS_PER_STEP_KIND[s.kind]) for s in steps if s.kind in _ERRORS_PER_STEP_KIND)
     for name, count in (*drawn, *((f"read {n}", 2) for n in read), (SHARED_ERRORS_NAME, shared)):
         columns[name] = width
@@ -35,7 +36,11 @@ class Nudged(Tool):
 
     def __init__(self, skill: Skill, columns: Mapping[str, int], width: int) -> None:
         super().__init__(Many(), True)
-        self.skill, self.columns, self.width, self.at, self.end = skill, columns, width, 0, 0
+        self.skill = skill
+        self.columns = columns
+        self.width = width
+        self.at = 0
+        self.end = 0
 
     def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         """The errors of all steps on the way are those of the step they make."""

@@ -45,7 +45,9 @@ class PlanSteps:
     def base_of_perpendicular(self, direction: str) -> str | None:
         """The direction to which this one is perpendicular, if any."""
         step = self.steps.get(direction)
-        return step.of if isinstance(step, Turn) and step.quarter == 1 and not step.angle else None
+        if isinstance(step, Turn) and step.quarter == 1 and not step.angle:
+            return step.of
+        return None
 
     def perpendiculars(self) -> list[str]:
         """Perpendiculars to links among the program's directions."""
@@ -70,4 +72,6 @@ class PlanSteps:
 
 def with_other_direction(step: Cross, side: str, direction: str) -> Cross:
     """An intersection of two lines, one of them in another direction."""
-    return replace(step, along=direction) if side == "along" else replace(step, across=direction)
+    if side == "along":
+        return replace(step, along=direction)
+    return replace(step, across=direction)

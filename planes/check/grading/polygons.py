@@ -81,7 +81,8 @@ def polygon_sides(plans: Plans, plan: str) -> list[Side]:
     for t in (
         t for t in terms if not {full_mark_name(plan, t.start), full_mark_name(plan, t.end)} & plans.auxiliary_marks
     ):
-        name, ends = vector_end_label(t.name), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+        name = vector_end_label(t.name)
+        ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
         sides.setdefault(name, Side(name, *ends))
     return list(sides.values())
 
@@ -100,22 +101,27 @@ def rebuild_polygon(
     In a ``complete`` polygon an unlisted vector is missing; otherwise it may have been overlooked.
     """
     sides = {s.name: s for s in polygon_sides(plans, plan)}
-    names, out = naming.name_finder(sides), Rebuilt()
+    names = naming.name_finder(sides)
+    out = Rebuilt()
     vectors: Vectors = {}
     polygons = [{vector_end_label(t.name): t.end for t in e.all_terms} for e in plans.equations if e.plan == plan]
     seen: dict[str, ReadMark] = {}
     out.unknown += [spot.name for spot in spots if names.find_name(spot.name) is None]
     known = [spot for spot in spots if spot.name not in out.unknown]
     for before, spot in pairwise([*known[:1], *known]):
-        name, last = names.find_name(spot.name), names.find_name(before.name)
+        name = names.find_name(spot.name)
+        last = names.find_name(before.name)
         if name in sides and any(last in p and name not in p and _is_polygon_complete(p, seen) for p in polygons):
             before = seen.get(sides[name].start, before)
         seen[name or ""] = spot
         if name is not None and name != POLE_LABEL:
-            old, error = vectors.get(name, NO_VECTOR), (before.error_mm**2 + spot.error_mm**2) ** 0.5
-            vector, doubt = old.place + spot.place - before.place, max(spot.doubt, old.doubt)
+            old = vectors.get(name, NO_VECTOR)
+            error = (before.error_mm**2 + spot.error_mm**2) ** 0.5
+            vector = old.place + spot.place - before.place
+            doubt = max(spot.doubt, old.doubt)
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
-    loads, out.vectors = known_force_labels(plans, plan), [*vectors.values()]
+    loads = known_force_labels(plans, plan)
+    out.vectors = [*vectors.values()]
     out.closers = {name for name, side in sides.items() if side.end not in loads}
     out.polygons += polygons
     out.left = [] if complete else [side for name, side in sides.items() if name not in vectors]
@@ -150,7 +156,8 @@ def _lay_sides(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: se
         if side.start in places and side.end in places:
             gap = places[side.start] + read.place - places[side.end]
             if (complete or not hidden & {side.start, side.end}) and (out.gap is None or abs(gap) > abs(out.gap.place)):
-                out.gap, out.closing = replace(read, place=gap), name
+                out.gap = replace(read, place=gap)
+                out.closing = name
         else:
             ahead = side.start in places
             new, old = (side.end, side.start) if ahead else (side.start, side.end)
@@ -160,8 +167,12 @@ def _lay_sides(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: se
 
 def _can_be_laid(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
     """Whether a side can be laid now: read and reached, or an unread load."""
-    load, begun, ended = side.end in loads, side.start in places, side.end in places
-    return begun or (ended and not load) if read else load and begun and not ended
+    load = side.end in loads
+    begun = side.start in places
+    ended = side.end in places
+    if read:
+        return begun or (ended and not load)
+    return load and begun and not ended
 
 
 def align_marks(

@@ -134,7 +134,8 @@ class PreparedPlan:
 
     def written_scale(self, mu: float) -> Written:
         """A scale of the plan as written in a sentence."""
-        kind, convention = plan_kind(self.asked.plan), self.asked.scene.mu_convention
+        kind = plan_kind(self.asked.plan)
+        convention = self.asked.scene.mu_convention
         return Written(lambda lang: mu_text(mu, kind, lang, convention))
 
     def pointed_positions(
@@ -145,7 +146,9 @@ class PreparedPlan:
         None in a force plan, where the order of vectors, and so the positions of marks, is free.
         """
         force = plan_kind(self.asked.plan) == "force"
-        return {} if force else {n: place(z) for k, z in marks.items() if (n := self.written_mark_names.find_name(k))}
+        if force:
+            return {}
+        return {n: place(z) for k, z in marks.items() if (n := self.written_mark_names.find_name(k))}
 
     def at_scale(self, mu: float, fixed: bool = False) -> PreparedPlan:
         """The same at another scale; ``fixed`` if no other is considered."""
@@ -210,4 +213,6 @@ def mistake_variants(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: flo
 def drawn_mark_position(bench: PreparedPlan, variant: Variant | None, label: str) -> complex | None:
     """The position of a mark, mm from the pole, in this drawing of the plan; None if it cannot be drawn."""
     things = bench.draw_program(variant, Tool(Arithmetic()))
-    return complex(things[full_mark_name(bench.asked.plan, label)]) if things else None
+    if things:
+        return complex(things[full_mark_name(bench.asked.plan, label)])
+    return None

@@ -35,14 +35,13 @@ def unreadable_reason(grading: Grading, named: Collection[str] = ()) -> Phrase |
     key = key_marks(grading)
     read_marks = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
     if len(read_marks) < LEAST_READ_SHARE * len(key):
-        missing, steps = (
-            ", ".join(label_of(m) for m in key if m not in read_marks),
-            grading.plans.program.steps_by_result,
-        )
+        missing = ", ".join(label_of(m) for m in key if m not in read_marks)
+        steps = grading.plans.program.steps_by_result
         drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # of coincident marks only one may be key
         read = sum(m in grading.judgement.misses for m in drawn)
         return phrase_with_remedy("check_too_little", found=read, count=len(drawn), names=missing)
-    reach, count = marks_extent_mm(grading.hand, grading.marks), len(grading.judgement.misses)
+    reach = marks_extent_mm(grading.hand, grading.marks)
+    count = len(grading.judgement.misses)
     size = Written(f"{reach:.1f}")
     if (
         reach < SMALLEST_DRAWING_SIGMAS * grading.hand.tool.skill.point_mm
@@ -83,7 +82,8 @@ def doubtful_marks_question(grading: Grading) -> Phrase | None:
 
 def other_plan_message(bench: PreparedPlan, paper: ReadPaper) -> Phrase | None:
     """The message that a table is of another plan: all its mark names belong there, and not here."""
-    written, plan = [s.name for s in paper.spots], bench.asked.plan
+    written = [s.name for s in paper.spots]
+    plan = bench.asked.plan
     if paper.picture or all(map(bench.written_mark_names.find_exact_name, written)):
         return None
     others = (other for other in known_plans(bench.plans) if plan_kind(other) != plan_kind(plan))

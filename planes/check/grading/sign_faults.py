@@ -52,7 +52,9 @@ class SignFault:
     @property
     def marks(self) -> tuple[str, ...]:
         """The wrong marks."""
-        return (self.mark, str(self.other)) if self.mistake == "names_exchanged" else (self.mark,)
+        if self.mistake == "names_exchanged":
+            return (self.mark, str(self.other))
+        return (self.mark,)
 
     @property
     def fault(self) -> Phrase:

@@ -65,7 +65,9 @@ def _possible_slips(f: WrittenNumber, true: float, free: Hand) -> Iterable[tuple
 
 def drawing_value(free: Hand, name: str) -> float:
     """A value of a drawing; 0 if it has none of that name."""
-    return float(free.value_without_errors(name)) if name in free.things else 0.0
+    if name in free.things:
+        return float(free.value_without_errors(name))
+    return 0.0
 
 
 def _epsilon_from_total(name: str, free: Hand) -> float:
@@ -80,5 +82,7 @@ def _epsilon_from_total(name: str, free: Hand) -> float:
                 drawing_value(free, part.mu)
             )
             tangential = abs(drawing_value(free, value))
-            return float(abs(drawing_value(free, name)) * total / tangential) if tangential else 0.0
+            if tangential:
+                return float(abs(drawing_value(free, name)) * total / tangential)
+            return 0.0
     return 0.0

@@ -25,7 +25,8 @@ def mistakes_before_results(bench: PreparedPlan, free: Hand, shown: Collection[s
 
     A mistake may also be a habit, made wherever a plan has a step of its kind.
     """
-    ways, scales = replace(bench, program=free.program), {plan: mu_name(plan) for plan in known_plans(bench.plans)}
+    ways = replace(bench, program=free.program)
+    scales = {plan: mu_name(plan) for plan in known_plans(bench.plans)}
     for plan in dict.fromkeys(plan_of(made) for made in free.program.steps_by_result):
         if scales.get(plan) in free.things:
             weight = 1.0 if plan in shown else EARLIER_PLAN_WEIGHT

@@ -55,11 +55,9 @@ class Scored:
     @property
     def chance_wrong(self) -> float:
         """The probability that the number is wrong, not only badly measured."""
-        return (
-            1.0
-            if self.slip
-            else chance_number_wrong(self.deviation_from_true, self.error_scale * self.error, abs(self.true))
-        )
+        if self.slip:
+            return 1.0
+        return chance_number_wrong(self.deviation_from_true, self.error_scale * self.error, abs(self.true))
 
 
 @dataclass
@@ -87,7 +85,9 @@ class Account:
         """Its name, or the mark of a mistake identified by its lengths."""
         if self.named and self.lengths:
             return self.named.blames
-        return self.first_wrong_figure.figure.name if self.first_wrong_figure else None
+        if self.first_wrong_figure:
+            return self.first_wrong_figure.figure.name
+        return None
 
     @property
     def fault(self) -> Phrase | None:
@@ -191,7 +191,9 @@ def _name_mistake(own_account: Account, free: Hand, variants: Iterable[Variant],
     ranked = sorted(best.values(), key=lambda b: -b[0])
     if not ranked:
         return
-    (score, variant, fits), first, rest = ranked[0], own_account.first_wrong_figure, [one[0] for one in ranked[1:]]
+    score, variant, fits = ranked[0]
+    first = own_account.first_wrong_figure
+    rest = [one[0] for one in ranked[1:]]
     if not own_account.lengths or (first and first.slip):
         rest.append(_log_density_of_slips(own_account.scored, means))
     odds = score - float(logaddexp.reduce([-math.inf, *rest]))
@@ -199,7 +201,8 @@ def _name_mistake(own_account: Account, free: Hand, variants: Iterable[Variant],
         sum(fits) + math.log(variant.weight) > LEAST_LOG_LIKELIHOOD * len(fits)
         and score - max(rest, default=-math.inf) >= LEAST_LEAD_LOG_ODDS
     ):
-        own_account.named, own_account.cause = variant, logistic(odds)
+        own_account.named = variant
+        own_account.cause = logistic(odds)
         for s, fit in zip(own_account.scored, fits, strict=True):
             if s.verdict == "wrong" and s is not first and fit > LEAST_LOG_LIKELIHOOD:
                 s.verdict = "follows"

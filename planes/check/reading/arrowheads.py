@@ -91,8 +91,10 @@ def _arrow_from_figure(points: Sequence[complex]) -> tuple[Stroke, Arrowhead] | 
     ring = [*points][: -1 if len(points) > 7 and abs(points[0] - points[-1]) < SAME_POINT_MM else None]
     for k in range(7) if len(ring) == 7 else ():
         tip, *others = (*ring[k:], *ring[:k])
-        start, sides = (others[2] + others[3]) / 2, [*zip(others[:3], others[:2:-1], strict=True)]
-        along, (wings, neck, end) = tip - start, (abs(a - b) for a, b in sides)
+        start = (others[2] + others[3]) / 2
+        sides = [*zip(others[:3], others[:2:-1], strict=True)]
+        along = tip - start
+        wings, neck, end = (abs(a - b) for a, b in sides)
         if wings < SAME_POINT_MM or max(neck, end) > min(MOST_SHAFT_WIDTH_MM, wings / 2) or abs(along) < wings:
             continue
         local = [((a - start) / along, (b - start) / along) for a, b in sides]
@@ -119,7 +121,8 @@ def assign_arrowheads(sketch: ReadDrawing) -> None:
     for k, tip in _tips_extending_shafts(strokes, owned, tips).items():
         strokes[k] = (strokes[k][0], tip) if owned[k] > 0 else (tip, strokes[k][1])
     sketch.strokes = [strokes[k] for k in kept]
-    sketch.ways, sketch.short = [owned[k] for k in kept], []
+    sketch.ways = [owned[k] for k in kept]
+    sketch.short = []
     _join_to_headed_strokes(sketch)
 
 
@@ -170,7 +173,8 @@ def _join_to_headed_strokes(sketch: ReadDrawing) -> None:
             gone.add(near[0])
             sketch.strokes[k] = (before, b) if way > 0 else (b, before)
     kept = sketch.with_some_strokes(k for k in range(len(sketch.strokes)) if k not in gone)
-    sketch.strokes, sketch.ways = kept.strokes, kept.ways
+    sketch.strokes = kept.strokes
+    sketch.ways = kept.ways
 
 
 def ends_with_heads(strokes: Strokes, heads: Sequence[Arrowhead]) -> tuple[list[int], dict[int, complex]]:
@@ -180,7 +184,8 @@ def ends_with_heads(strokes: Strokes, heads: Sequence[Arrowhead]) -> tuple[list[
     """
     import numpy
 
-    way_of, tips = [0] * len(strokes), dict[int, complex]()
+    way_of = [0] * len(strokes)
+    tips = dict[int, complex]()
     if len(strokes) * len(heads) > MOST_STROKE_HEAD_PAIRS:
         return way_of, tips
     ends = numpy.array(strokes, complex).reshape(-1, 2)
@@ -215,7 +220,8 @@ def _candidate_ends(strokes: Strokes, head: Arrowhead, held: Iterable[int]) -> l
         a, b = strokes[k]
         near = min(MOST_TIP_TO_END_MM, 0.4 * abs(b - a))
         for end, sign in ((b, 1), (a, -1)):
-            off, turn = (end - tip) * way.conjugate(), sign * (b - a) * way.conjugate()
+            off = (end - tip) * way.conjugate()
+            turn = sign * (b - a) * way.conjugate()
             inside = (
                 -long - SAME_POINT_MM < off.real < -near and abs(off.imag) < MOST_SHAFT_OFFSET_RATIO * long
             )  # only its own shaft ends there
@@ -247,7 +253,8 @@ def _open_head_from_wings(one: Stroke, two: Stroke) -> Iterator[tuple[Arrowhead,
     """The open head of two strokes that spread symmetrically from their common end, and its length."""
     ways = ((a, b, d) for a, b in (one, one[::-1]) for c, d in (two, two[::-1]) if abs(a - c) < 0.15 < abs(b - d))
     for tip, b, d in islice(ways, 1):
-        far, middle = abs(b - tip), tip - (b + d) / 2
+        far = abs(b - tip)
+        middle = tip - (b + d) / 2
         if abs(far - abs(d - tip)) <= 0.15 * far and 0.12 < abs(b - d) / max(far, 1e-9) < 1.3:
             yield Arrowhead(tip, middle / abs(middle)), far
 
@@ -256,7 +263,8 @@ def split_off_tapered_heads(
     points: Sequence[complex], widths: Sequence[tuple[float, float]]
 ) -> tuple[list[complex], list[Arrowhead]]:
     """A polyline with segments that taper to zero: those are heads, and the line continues to their tips."""
-    kept, heads = [points[0]], list[Arrowhead]()
+    kept = [points[0]]
+    heads = list[Arrowhead]()
     for (a, b), (wide, narrow) in zip(pairwise(points), widths, strict=False):
         small = 0 < abs(b - a) <= LARGEST_HEAD_MM
         if small and wide == 0 < narrow:

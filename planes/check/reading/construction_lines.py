@@ -59,7 +59,8 @@ def count_overrunning_ends(strokes: Strokes, ends: Sequence[tuple[int, complex]]
 def _crossed(strokes: Strokes, k: int, z: complex) -> bool:
     """Whether others cross a stroke, or end on it, not far from one of its ends."""
     other = next(w for w in strokes[k] if w != z)
-    u, far = direction_between(z, other), min(abs(other - z) - SNAPPED_ENDS_MM, MOST_OVERRUN_MM)
+    u = direction_between(z, other)
+    far = min(abs(other - z) - SNAPPED_ENDS_MM, MOST_OVERRUN_MM)
     rest = [s for i, s in enumerate(strokes) if i != k and not _is_parallel(s, strokes[k])]
     return bool(dwithin(as_lines(rest), as_lines([(z + SNAPPED_ENDS_MM * u, z + far * u)])[0], TOUCH_MM).any())
 
@@ -89,7 +90,8 @@ def vector_strokes(sketch: ReadDrawing, closed: bool = False) -> list[int]:
 
 def _named_ends(sketch: ReadDrawing) -> list[complex]:
     """Ends of strokes that are the only ones beside a word."""
-    ends_named, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]
+    ends_named = list[complex]()
+    ends = [z for stroke in sketch.strokes for z in stroke]
     for word in sketch.words:
         near = [z for z in ends if word.distance(z) < MOST_NAME_TO_END_MM]
         if near and all(abs(z - near[0]) < SNAPPED_ENDS_MM for z in near):
@@ -150,5 +152,6 @@ def covered_share(strokes: Strokes, a: complex, b: complex) -> float:
     beside = [
         s for s, way in zip(strokes, aside, strict=True) if abs(way.imag) < MOST_STROKE_OFFSET_MM + ASLANT * abs(way)
     ]
-    line, bands = as_lines([(a, b)])[0], union_all(buffer(as_lines(beside), MOST_STROKE_OFFSET_MM, cap_style="flat"))
+    line = as_lines([(a, b)])[0]
+    bands = union_all(buffer(as_lines(beside), MOST_STROKE_OFFSET_MM, cap_style="flat"))
     return float(line.intersection(bands).length / line.length)

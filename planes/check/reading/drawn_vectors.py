@@ -70,7 +70,9 @@ def _vector_drawn_end_to_end(joined: Sequence[Line], way: Stroke, near: float) -
     if any(min(_largest_end_distance(line, way), _largest_end_distance(line, way[::-1])) < near for line, _ in joined):
         return DrawnVector("none")
     last = any(abs(line[1] - way[1]) < near and _is_covered_by(line, [way], near) for line in tied)
-    return DrawnVector("end") if last and _is_covered_by(way, tied, near) else None
+    if last and _is_covered_by(way, tied, near):
+        return DrawnVector("end")
+    return None
 
 
 def _largest_end_distance(line: Stroke, way: Stroke) -> float:

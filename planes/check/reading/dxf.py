@@ -69,14 +69,16 @@ def _visible_entities(document: Any, space: Any, file: str) -> Iterator[Any]:
 
     def held(entities: Iterable[Any], depth: int) -> Iterator[Any]:
         for entity in counted(entities):
-            kind, layer = entity.dxftype(), entity.dxf.get("layer", "0").casefold()
+            kind = entity.dxftype()
+            layer = entity.dxf.get("layer", "0").casefold()
             if kind in DIMENSION_TYPES or layer in unseen or entity.dxf.get("invisible", 0):
                 continue
             if kind != "INSERT":
                 yield entity
             elif depth < MOST_BLOCK_DEPTH:
                 for one in counted(entity.multi_insert() if entity.mcount > 1 else (entity,)):
-                    parts, drawn_once = one.virtual_entities(), _is_filled_figure(entity.block())
+                    parts = one.virtual_entities()
+                    drawn_once = _is_filled_figure(entity.block())
                     yield from held((p for p in parts if not drawn_once or p.dxftype() not in FILLING_TYPES), depth + 1)
                     yield from (a for a in one.attribs if not a.is_invisible)
 
@@ -130,7 +132,9 @@ def _mtext_words(text: str) -> str:
                 return str(token.data)
             case TokenType.STACK:
                 upper, lower, between = token.data
-                return f"{lower}{upper}" if between == "^" else f"{upper}{between}{lower}"
+                if between == "^":
+                    return f"{lower}{upper}"
+                return f"{upper}{between}{lower}"
             case TokenType.NEW_PARAGRAPH:
                 return "\n"
         return " "
@@ -141,10 +145,12 @@ def _mtext_words(text: str) -> str:
 def _add_polyline(drawing: ReadDrawing, entity: Any, scale: float) -> None:
     """A polyline: one or more vectors, perhaps with heads, or a hollow head."""
     if entity.dxftype() == "LWPOLYLINE":
-        points, closed = [_scaled_point(p, scale) for p in entity.vertices_in_wcs()], bool(entity.closed)
+        points = [_scaled_point(p, scale) for p in entity.vertices_in_wcs()]
+        closed = bool(entity.closed)
         rows = [tuple(w) for w in entity.get_points("seb")]
     else:
-        points, closed = [_scaled_point(p, scale) for p in entity.points_in_wcs()], bool(entity.is_closed)
+        points = [_scaled_point(p, scale) for p in entity.points_in_wcs()]
+        closed = bool(entity.is_closed)
         rows = [tuple(v.dxf.get(k, 0.0) for k in ("start_width", "end_width", "bulge")) for v in entity.vertices]
     if (
         head := arrowhead_from_figure(points)
@@ -172,18 +178,21 @@ def _add_text(drawing: ReadDrawing, entity: Any, scale: float) -> None:
     across, up = unified_alignment(entity)
     back = complex(across / 2, UP[up])
     if entity.dxftype() == "MTEXT":
-        at, turn, height, text = (
-            entity.dxf.insert,
-            entity.get_rotation(),
-            entity.dxf.char_height,
-            _mtext_words(entity.text),
-        )
-        width, span = entity.dxf.get("rect_width", 0.0) * scale, 0j
+        at = entity.dxf.insert
+        turn = entity.get_rotation()
+        height = entity.dxf.char_height
+        text = _mtext_words(entity.text)
+        width = entity.dxf.get("rect_width", 0.0) * scale
+        span = 0j
     else:
         _, at, end = entity.get_placement()
-        at, turn, height, text = entity.ocs().to_wcs(at), entity.dxf.rotation, entity.dxf.height, entity.plain_text()
+        at = entity.ocs().to_wcs(at)
+        turn = entity.dxf.rotation
+        height = entity.dxf.height
+        text = entity.plain_text()
         span = 0j if end is None else _scaled_point(end - at, scale)  # between two points
-        width, back = abs(span), back if end is None else 0j
+        width = abs(span)
+        back = back if end is None else 0j
     height *= scale
     width = width or height * text_width_in_heights(text)
     along = span / abs(span) if span else cmath.rect(1, math.radians(turn))

@@ -116,7 +116,8 @@ class ForceArrows:
         places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
         vectors = {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
         for a, b, along, index in self.bench.leaning_reactions:
-            start, end = places.get(a, 0j), places.get(b, 0j)
+            start = places.get(a, 0j)
+            end = places.get(b, 0j)
             corner = perpendicular_foot(start, end, along)
             vectors |= {f"N_{index}": corner - start, f"T_{index}": end - corner}
         return vectors
@@ -183,7 +184,8 @@ class ForceArrows:
 
     def _possible_plan_sizes(self, known: Known) -> list[float]:
         """Sizes of the plan relative to the stated one: the drawer's choice unless given."""
-        sizes, lengths = [1.0], [abs(v) for v in known.values() if abs(v) > SHORTEST_VECTOR_WITH_HEAD_MM]
+        sizes = [1.0]
+        lengths = [abs(v) for v in known.values() if abs(v) > SHORTEST_VECTOR_WITH_HEAD_MM]
         for ratio in sorted(float(abs(v)) / t for v in self.v for t in lengths) if not self.bench.asked.mu else ():
             if SMALLEST_PLAN_SIZE < ratio < 1 / SMALLEST_PLAN_SIZE and ratio > EQUAL_SIZE_RATIO * (
                 sizes[-1] if len(sizes) > 1 else 0.0
@@ -218,7 +220,8 @@ class ForceArrows:
 
 def read_force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The vectors of a force plan, each a row from its start."""
-    paper, seen = ReadPaper(sketch.file, whole=False), ForceArrows(sketch, bench)
+    paper = ReadPaper(sketch.file, whole=False)
+    seen = ForceArrows(sketch, bench)
     if not 0 < len(seen.arrows) <= MOST_ARROWS:
         paper.reason = phrase_with_remedy("check_force_unsure") if seen.arrows else None
         return paper
@@ -251,13 +254,15 @@ def read_force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         n in rows or not SHORTEST_DRAWN_VECTOR_MM < abs(true[n]) < min(room, SHORTEST_VECTOR_WITH_HEAD_MM) for n in own
     )
     if _is_only_guessed(seen, rows, bench, paper):
-        paper.spots, paper.reason = [], phrase_with_remedy("check_force_unsure")
+        paper.spots = []
+        paper.reason = phrase_with_remedy("check_force_unsure")
     return paper
 
 
 def _vectors_with_arrows(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
     """The vectors with their arrows: a reaction and its only component, or two inner vectors, may share one."""
-    rows, known = {n: seen.flat[k][1] for n, k in best.taken.items()}, best.known
+    rows = {n: seen.flat[k][1] for n, k in best.taken.items()}
+    known = best.known
     for n in (s.name for s in seen.sides):
         alike = [m for m in rows if abs(known[m] - known[n]) < COINCIDENT_VECTORS_MM]
         same = [m for m in alike if n in seen.reactions or not seen.own[seen.names.index(m)]]
@@ -282,10 +287,12 @@ def _reversed_vectors(seen: ForceArrows, best: Reading, own: Collection[str]) ->
 
 def _swapped_and_misplaced_names(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
     """Pairs of names at each other's arrows; vectors whose names fit another's place better, and vice versa."""
-    names, v = [*best.taken], numpy.array([best.known[n] for n in best.taken])
+    names = [*best.taken]
+    v = numpy.array([best.known[n] for n in best.taken])
     prices = seen.prices[[*best.taken.values()]][:, [seen.names.index(n) for n in names]] / w.MISPLACED_NAME_WEIGHT
     other = numpy.where(abs(v[:, None] - v) > MEETING_ENDS_MM, prices, math.inf)
-    own, surely = prices.diagonal(), -math.log(w.LEAST_NAME_CERTAINTY)
+    own = prices.diagonal()
+    surely = -math.log(w.LEAST_NAME_CERTAINTY)
     rather = own - other > math.log(w.SWAPPED_OVER_OWN_ODDS)  # by row of an arrow and column of a name
     sure = rather & rather.T & (other + other.T < 2 * surely)
     there, theirs = (other.min(axis=k, initial=math.inf) for k in (0, 1))
@@ -355,7 +362,8 @@ def _spots(rows: Rows, error: float) -> list[ReadMark]:
 
 def _short_vectors_between(rows: Rows, known: Known) -> NamedStrokes:
     """Short vectors, not drawn separately, between the end of one and the start of another."""
-    begun, ended = [a for a, _ in rows.values()], [b for _, b in rows.values()]
+    begun = [a for a, _ in rows.values()]
+    ended = [b for _, b in rows.values()]
     begun, ended = (
         [z for z in one if all(abs(z - q) > PROGRAM_ACCURACY_MM for q in other)]
         for one, other in ((begun, ended), (ended, begun))
@@ -381,7 +389,8 @@ def cheapest_assignment(table: Array) -> list[int]:
     rows, columns = table.shape
     row_of = numpy.full(columns, -1)
     for row in range(rows):
-        cost, before = table[row].copy(), numpy.full(columns, -1)
+        cost = table[row].copy()
+        before = numpy.full(columns, -1)
         while True:  # by another column for a row that holds one
             taken = numpy.flatnonzero(row_of >= 0)
             held = table[row_of[taken]]

@@ -28,11 +28,14 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
     One end of a few of its strokes may be close to something by chance.
     """
     free = _free_end_counts(sketch.strokes)
-    gone, loose = set[int](), {k for k, ends in enumerate(free) if ends == 2 and not sketch.end_with_head(k)}
+    gone = set[int]()
+    loose = {k for k, ends in enumerate(free) if ends == 2 and not sketch.end_with_head(k)}
     for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.end_with_head(k)}):
         for alike in _parallel_groups(sketch.strokes, sorted(held)):
             gone.update(_strokes_in_even_rows(sketch.strokes, alike, loose))
-    return sketch.with_some_strokes(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
+    if gone:
+        return sketch.with_some_strokes(k for k in range(len(sketch.strokes)) if k not in gone)
+    return sketch
 
 
 def _free_end_counts(strokes: Strokes) -> list[int]:
@@ -76,7 +79,8 @@ def _strokes_in_even_rows(strokes: Strokes, held: Sequence[int], loose: Set[int]
     across = direction_between(*strokes[held[0]]).conjugate()
     off = {k: (sum(strokes[k]) / 2 * across).imag for k in held}
     rows = _together(off, SAME_ROW_DISTANCE_MM)
-    gaps, start = [off[below[0]] - off[row[0]] for row, below in pairwise(rows)], 0
+    gaps = [off[below[0]] - off[row[0]] for row, below in pairwise(rows)]
+    start = 0
     for i in range(1, len(rows) + 1):
         if (
             i < len(rows)

@@ -38,7 +38,8 @@ MOST_FAR_POLE_COST = 8.0  # maximum cost of a pole away from its name
 
 def read_plan_marks(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of a plan found on a sketch."""
-    paper, kind = ReadPaper(sketch.file, whole=False), plan_kind(bench.asked.plan)
+    paper = ReadPaper(sketch.file, whole=False)
+    kind = plan_kind(bench.asked.plan)
     if not sketch.strokes:
         paper.reason = Phrase("check_no_lines")
     elif len(sketch.strokes) > MOST_LINES_AROUND_PLAN:
@@ -50,11 +51,9 @@ def read_plan_marks(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         sketch = extend_strokes_to_hinges(sketch)
     elif (vectors := vector_strokes(sketch, kind == "force")) and not strokes_with_heads(sketch):
         sketch = sketch.with_some_strokes(vectors)
-    return (
-        read_force_arrows(sketch, bench)
-        if kind == "force"
-        else _read_motion_or_scheme(LineInk(sketch, bench.written_mark_names), bench, paper)
-    )
+    if kind == "force":
+        return read_force_arrows(sketch, bench)
+    return _read_motion_or_scheme(LineInk(sketch, bench.written_mark_names), bench, paper)
 
 
 def _read_motion_or_scheme(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
@@ -114,14 +113,16 @@ def _possible_poles(plan: PlanLines, ink: LineInk) -> tuple[Complexes, Array]:
         cells = numpy.unique((ends[:, None] - numpy.array(fixed or [0j])).round(1).ravel())
         return cells, numpy.zeros(len(cells))
     _, first = numpy.unique(ends.round(1), return_index=True)
-    cells, names = ends[first], _poles(ink)
+    cells = ends[first]
+    names = _poles(ink)
     off = numpy.array([min((one.distance(z) for one in names), default=0.0) for z in cells.tolist()])
     return cells, numpy.minimum((off - off.min()) / w.NEARER_NAME_MARGIN_MM, MOST_FAR_POLE_COST)
 
 
 def _ambiguous_marks(seen: Explanation, ink: LineInk) -> set[str]:
     """Marks with separate lines that lie elsewhere in another drawing that is as likely."""
-    plan, own = seen.plan, exact_marks(seen, ink, seen.likeliest_drawing)
+    plan = seen.plan
+    own = exact_marks(seen, ink, seen.likeliest_drawing)
     others = [
         one
         for one in (seen.right_drawing, seen.wrong_drawing)
@@ -149,23 +150,28 @@ def _plan_at_named_scale(bench: PreparedPlan, ink: LineInk) -> PreparedPlan:
     groups = [[r for r in ratios if abs(r - one) < COMMON_SCALE_LOG_RATIO] for one in ratios]
     best = max(groups, key=lambda g: (len(g), -abs(median(g))), default=[])
     ratio = median(best) if len(best) >= max(2, len(ratios) / 2) else 0.0
-    return bench if abs(ratio) < SAME_SCALE_LOG_RATIO else bench.at_scale(bench.said_mu * math.exp(ratio))
+    if abs(ratio) < SAME_SCALE_LOG_RATIO:
+        return bench
+    return bench.at_scale(bench.said_mu * math.exp(ratio))
 
 
 def _log_scale_ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
     """Logarithms of the ratio of drawn to stated distances: from the pole, in a scheme between its points."""
-    truth, places = bench.true_marks | {POLE_LABEL: 0j}, _mark_places_by_names(bench, ink)
+    truth = bench.true_marks | {POLE_LABEL: 0j}
+    places = _mark_places_by_names(bench, ink)
     if POLE_LABEL in places or bench.asked.plan == "position":
         for one, two in (
             [(POLE_LABEL, n) for n in places if n != POLE_LABEL] if POLE_LABEL in places else combinations(places, 2)
         ):
-            true, drawn = abs(truth[one] - truth[two]), abs(places[one] - places[two])
+            true = abs(truth[one] - truth[two])
+            drawn = abs(places[one] - places[two])
             yield from [math.log(drawn / true)] if min(true, drawn) > SHORTEST_SCALE_VECTOR_MM else []
 
 
 def _mark_places_by_names(bench: PreparedPlan, ink: LineInk) -> dict[str, complex]:
     """The marks with names beside ends of lines, each at the nearest; where vectors have heads, at a tip."""
-    ends, places = numpy.r_[ink.lines.ravel(), ink.rounds], dict[str, complex]()
+    ends = numpy.r_[ink.lines.ravel(), ink.rounds]
+    places = dict[str, complex]()
     for word in ink.read_words(ink.tips, ink.tips, True, bench.true_marks | {POLE_LABEL: 0j}).words:
         name = next(iter(word.likely))
         about = ink.tips if ink.headed and name != POLE_LABEL else ends

@@ -68,10 +68,14 @@ def remove_letter_strokes(sketch: ReadDrawing) -> None:
         return
     every = sketch.strokes + sketch.short
     strokes = as_lines(every)
-    tree, long, letter = STRtree(strokes), length(strokes), numpy.zeros(len(every), bool)
+    tree = STRtree(strokes)
+    long = length(strokes)
+    letter = numpy.zeros(len(every), bool)
     for word in sketch.words:
-        high, over = word.height, LETTER_MARGIN_RATIO * word.height
-        low, top = complex(-over, -over - BELOW * high), complex(word.width + over, high + 2 * over)
+        high = word.height
+        over = LETTER_MARGIN_RATIO * word.height
+        low = complex(-over, -over - BELOW * high)
+        top = complex(word.width + over, high + 2 * over)
         ring = (low, complex(top.real, low.imag), top, complex(low.real, top.imag))
         around = (word.place + word.along * z for z in ring)
         inside = tree.query(polygons([(z.real, z.imag) for z in around]), predicate="covers")
@@ -115,7 +119,8 @@ def connected_parts(sketch: ReadDrawing, least_mm: float = SMALLEST_PART_MM) -> 
 def _part_of_strokes(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing | None:
     """Some of the strokes, each once, with the words and circles near them."""
     part = sketch.with_some_strokes({(sketch.strokes[k], sketch.end_with_head(k)): k for k in held}.values())
-    strokes, (low, high) = part.strokes, part.box
+    strokes = part.strokes
+    low, high = part.box
     if max((high - low).real, (high - low).imag) < least_mm or _is_table(strokes, high - low):
         return None
     far = _distances_to_strokes(strokes, [z for z, _ in sketch.rounds], among=True)

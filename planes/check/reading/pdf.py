@@ -43,7 +43,9 @@ def _page_as_svg(page: Any) -> ElementTree.Element | None:
     root = ElementTree.Element("svg", width=f"{width}pt", height=f"{height}pt", viewBox=f"0 0 {width} {height}")
     box = page.get_mediabox()
     turned = ElementTree.SubElement(root, "g", transform=f"matrix(1 0 0 -1 {-box[0]} {box[3]})")
-    words, count, shows = page.get_textpage(), 0, False
+    words = page.get_textpage()
+    count = 0
+    shows = False
     for thing, _ in zip(page.get_objects(max_depth=MOST_FORM_DEPTH), range(MOST_OBJECTS), strict=False):
         if thing.type == pdf.FPDF_PAGEOBJ_PATH:
             count += _add_path(turned, thing)
@@ -59,7 +61,8 @@ def _page_as_svg(page: Any) -> ElementTree.Element | None:
 
 def _add_path(root: ElementTree.Element, thing: Any) -> bool:
     """A path with its style; whether it is visible."""
-    fill, stroke = ctypes.c_int(), ctypes.c_int()
+    fill = ctypes.c_int()
+    stroke = ctypes.c_int()
     pdf.FPDFPath_GetDrawMode(thing, fill, stroke)
     looks = {"stroke": "#000" if stroke.value else "none", "fill": "#000" if fill.value else "none"}
     matrix = "matrix({})".format(" ".join(map(str, thing.get_matrix().get())))
@@ -70,7 +73,9 @@ def _add_path(root: ElementTree.Element, thing: Any) -> bool:
 def _svg_path_commands(thing: Any) -> Iterator[str]:
     """A path's pieces in SVG notation."""
     letters = {pdf.FPDF_SEGMENT_MOVETO: "M", pdf.FPDF_SEGMENT_LINETO: "L", pdf.FPDF_SEGMENT_BEZIERTO: "C"}
-    x, y, handles = ctypes.c_float(), ctypes.c_float(), list[str]()
+    x = ctypes.c_float()
+    y = ctypes.c_float()
+    handles = list[str]()
     for k in range(pdf.FPDFPath_CountSegments(thing)):
         piece = pdf.FPDFPath_GetPathSegment(thing, k)
         letter = letters.get(pdf.FPDFPathSegment_GetType(piece), "")

@@ -110,7 +110,9 @@ def continues_straight(a: complex, b: complex, c: complex, within: float = MOST_
 def strokes_with_heads(sketch: ReadDrawing) -> list[int]:
     """The strokes with arrowheads, if enough have one to distinguish vectors from construction lines."""
     heads = [k for k, way in enumerate(sketch.ways) if way]
-    return heads if len(heads) >= max(LEAST_HEADED_STROKES, LEAST_HEADED_SHARE * len(sketch.strokes)) else []
+    if len(heads) >= max(LEAST_HEADED_STROKES, LEAST_HEADED_SHARE * len(sketch.strokes)):
+        return heads
+    return []
 
 
 def extend_strokes_to_hinges(sketch: ReadDrawing) -> ReadDrawing:

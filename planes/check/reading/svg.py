@@ -49,7 +49,9 @@ def read_svg(path: str | Path) -> ReadDrawing:
 def read_embedded_svg(path: str | Path) -> ReadDrawing | None:
     """The strokes of the drawing embedded in a PNG written by this program, if any."""
     svg = drawing_in_png(read_bounded_bytes(path, LARGEST_PICTURE), LARGEST_SVG_BYTES)
-    return drawing_from_svg(parse_xml_tree(svg, str(path)), str(path)) if svg else None
+    if svg:
+        return drawing_from_svg(parse_xml_tree(svg, str(path)), str(path))
+    return None
 
 
 def drawing_from_svg(root: ElementTree.Element, file: str) -> ReadDrawing:
@@ -83,7 +85,11 @@ class _Reader:
     def __init__(
         self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[ElementTree.Element, Looks]
     ) -> None:
-        self.sketch, self.named, self.rules, self.count, self.said = sketch, named, rules, 0, set[str]()
+        self.sketch = sketch
+        self.named = named
+        self.rules = rules
+        self.count = 0
+        self.said = set[str]()
 
     def read_element(self, e: ElementTree.Element, m: Transform, depth: int, looks: Looks, used: bool = False) -> None:
         new = {e.get(k, "") for k in ("style", "transform")} - self.said
@@ -95,7 +101,8 @@ class _Reader:
         if depth > MOST_GROUP_DEPTH:
             return
         own = style_of_element(e, self.rules)
-        m, looks = m.transform(parse_transform(own.pop(TRANSFORM_PROPERTY, ""))), {**looks, **own}
+        m = m.transform(parse_transform(own.pop(TRANSFORM_PROPERTY, "")))
+        looks = {**looks, **own}
         if looks.get("display") == "none":
             return
         match e.tag:
@@ -125,7 +132,8 @@ class _Reader:
                     self.read_element(child, m, depth + 1, looks)
 
     def _add_shape(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
-        stroke, fill = looks.get("stroke", ""), looks.get("fill", "")
+        stroke = looks.get("stroke", "")
+        fill = looks.get("fill", "")
         solid = stroke == "none" or (not stroke and fill not in ("", "none"))
         parts = list(read_subpaths(e))
         for circle in (one.circle for one in parts):
@@ -168,8 +176,10 @@ class _Reader:
         if not pieces or "".join("".join(t for _, t in pieces).split()) != text.replace(" ", ""):
             pieces = [(first, text)]
         boxes = [_text_box(c, t, _letter_size(style_of_element(c, self.rules), looks)) for c, t in pieces]
-        right, down = complex(m.xx, m.xy), complex(m.yx, m.yy)
-        height, along = boxes[0][2] * abs(down), right / abs(right) if abs(right) else 1 + 0j
+        right = complex(m.xx, m.xy)
+        down = complex(m.yx, m.yy)
+        height = boxes[0][2] * abs(down)
+        along = right / abs(right) if abs(right) else 1 + 0j
         width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)
         back = {"middle": 0.5, "end": 1.0}.get(looks.get("text-anchor", ""), 0.0) * width
         self.sketch.add_text(Words(text, _transformed_point(m, boxes[0][0]) - along * back, height, width, along))

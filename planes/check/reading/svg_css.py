@@ -64,7 +64,9 @@ def number_attribute(e: Element, key: str) -> float:
 
 def side_length_mm(text: str | None) -> float:
     """A side of a picture, in mm; 0 if it is relative to the surroundings or missing."""
-    return 0.0 if not text or "%" in text else next(iter(parse_numbers(text)), 0.0) * MM_PER_PX
+    if not text or "%" in text:
+        return 0.0
+    return next(iter(parse_numbers(text)), 0.0) * MM_PER_PX
 
 
 @lru_cache(4096)
@@ -109,7 +111,9 @@ _of_itself = lru_cache(4096)(_parse_declarations)  # many elements have equal de
 
 def styles_by_element(root: Element, file: str) -> dict[Element, Looks]:
     """The style of each element in the file's style sheets. :class:`PlanesError` if they are too complex."""
-    matcher, said, asked = Matcher(), list[Looks](), 0
+    matcher = Matcher()
+    said = list[Looks]()
+    asked = 0
     for rule in _style_rules(root):
         looks = _parse_declarations(rule.content)
         for selector in _bounded_selectors(rule.prelude) if looks else ():

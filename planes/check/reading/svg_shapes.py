@@ -31,7 +31,8 @@ def parse_xml_tree(data: bytes, file: str) -> ElementTree.Element:
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal count, depth
-        count, depth = count + 1, depth + 1
+        count = count + 1
+        depth = depth + 1
         if count > MOST_ELEMENTS or depth > MOST_ELEMENT_DEPTH:
             raise too_many_error(
                 file,
@@ -50,8 +51,10 @@ def parse_xml_tree(data: bytes, file: str) -> ElementTree.Element:
         raise PlanesError(Phrase("check_svg_entities", file=file))
 
     parser.buffer_text = True
-    parser.StartElementHandler, parser.EndElementHandler = start, end
-    parser.CharacterDataHandler, parser.EntityDeclHandler = builder.data, entity
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = builder.data
+    parser.EntityDeclHandler = entity
     with reporting_library_errors("check_svg", file):
         parser.Parse(data, True)
         return builder.close()
@@ -77,7 +80,9 @@ class Subpath:
             return None
         middle = sum(ring) / len(ring)
         radii = [abs(z - middle) for z in ring]
-        return (middle, max(radii)) if max(radii) < (1 + CIRCLE_TOLERANCE) * min(radii) else None
+        if max(radii) < (1 + CIRCLE_TOLERANCE) * min(radii):
+            return (middle, max(radii))
+        return None
 
     def straight_polylines(self) -> Iterator[tuple[list[complex], bool]]:
         """Its straight polylines, and whether they are closed; curves are skipped."""
@@ -106,7 +111,8 @@ def read_subpaths(e: ElementTree.Element) -> Iterator[Subpath]:
     for name, points in (*pen.value, ("endPath", ())):
         places = [complex(*p) for p in points]
         if name == "moveTo":
-            corners, straight = places, []
+            corners = places
+            straight = []
         elif places:
             straight.append(name == "lineTo" or (name != "arcTo" and _is_straight_curve(corners[-1], places)))
             corners.append(places[-1])

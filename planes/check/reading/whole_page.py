@@ -50,11 +50,9 @@ def read_page(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     likely = sorted(likely, key=named, reverse=True)[:MOST_PARTS_READ]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
     papers = [(_read_part(replace(part), bench, sketch.words), named(part)) for part in likely or [sketch]]
-    return (
-        max(papers, key=lambda p: agreement_score(bench, p[0]) + NAME_WEIGHT * p[1])[0]
-        if len(papers) > 1
-        else papers[0][0]
-    )
+    if len(papers) > 1:
+        return max(papers, key=lambda p: agreement_score(bench, p[0]) + NAME_WEIGHT * p[1])[0]
+    return papers[0][0]
 
 
 def _read_part(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
@@ -131,6 +129,8 @@ def _scale_from_title(text: str, plan: str, plans: Sequence[str]) -> float | Non
     if named and plan not in named:
         return None
     try:
-        return read_mu(said[1].replace(",", "."), plan_kind(plan)) if said else None
+        if said:
+            return read_mu(said[1].replace(",", "."), plan_kind(plan))
+        return None
     except UnitError:
         return None

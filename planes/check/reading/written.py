@@ -57,7 +57,8 @@ class Words:
         """The distance from a point to the text's box, extended by ``below`` downwards."""
         local = (z - self.place) * self.along.conjugate()
         width = self.width or 0.7 * self.height * max(len(self.text), 1)
-        aside, above = max(-local.real, 0.0, local.real - width), local.imag - self.height
+        aside = max(-local.real, 0.0, local.real - width)
+        above = local.imag - self.height
         return math.hypot(aside, max(-local.imag - below, 0.0, above))
 
     def distance_to_vector(self, stroke: Stroke) -> float:

@@ -32,15 +32,19 @@ def mark_rows(out: Outcome) -> list[Json]:
     g = out.grading
     if g is None:
         return [_segment_row(s) for s in (out.segments.scored if out.segments else [])]
-    rows, unseen = [], [] if out.wrong else out.unseen
+    rows = []
+    unseen = [] if out.wrong else out.unseen
     for mark, verdict in g.verdicts.items():
-        own, miss, label = g.hand.taken.get(mark), g.judgement.miss_for_verdict(mark, verdict), label_of(mark)
+        own = g.hand.taken.get(mark)
+        miss = g.judgement.miss_for_verdict(mark, verdict)
+        label = label_of(mark)
         row: Json = {"mark": label, **dict.fromkeys(MARK_SIZE_KEYS), "verdict": verdict}
         absent = g.rebuilt is not None and label in g.rebuilt.absent
         if label in unseen or (absent and (verdict == "right" or not (own and miss))):
             row["verdict"] = "unread"
         if own and miss and not (absent and row["verdict"] == "unread") and label not in out.paper.untold:
-            free, limit = g.free[mark], g.judgement.limit
+            free = g.free[mark]
+            limit = g.judgement.limit
             sizes = own.error_mm, abs(free.off), free.tolerance_mm(limit), abs(miss.off), miss.tolerance_mm(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             keys = (*MARK_SIZE_KEYS[1:], "own_deviation_mm", "own_tolerance_mm")
@@ -82,7 +86,8 @@ def result_rows(out: Outcome) -> list[Json]:
 
 def as_json(out: Outcome, lang: Lang = "en") -> Json:
     """The object printed by ``planes check --json``."""
-    asked, plans = out.bench.asked, out.bench.plans
+    asked = out.bench.asked
+    plans = out.bench.plans
     unreadable = out.verdict == "unreadable"
     unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.verdict == "right_as_seen" else []
     return {
@@ -124,7 +129,9 @@ class Checked:
     @property
     def first_error_place(self) -> str:
         """The place of the first error."""
-        return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
+        if self.found and self.verdict == "wrong":
+            return self.found.first_wrong or ""
+        return ""
 
     def verdict_text(self, lang: Lang) -> str:
         """The mistake, the reason why it cannot be read, or the parts not seen; empty for a right drawing."""
@@ -152,7 +159,8 @@ class Checked:
 
 def phrases_for_reader(outcome: Outcome, reader: Reader) -> list[Phrase]:
     """The sentence and the notes for a reader of a report, where marks can be moved if it has a drawing."""
-    every, drawn = (outcome.sentence, *outcome.notes), bool(outcome.grading or outcome.paper.picture)
+    every = (outcome.sentence, *outcome.notes)
+    drawn = bool(outcome.grading or outcome.paper.picture)
     return [phrase_for_reader(reader, one) if drawn else one for one in every]
 
 

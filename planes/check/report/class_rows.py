@@ -45,7 +45,8 @@ class ClassRow:
     @classmethod
     def from_checked(cls, one: Checked, lang: Lang) -> ClassRow:
         """The row of an outcome."""
-        outcome, said = one.found, one.verdict_text(lang)
+        outcome = one.found
+        said = one.verdict_text(lang)
         bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a separate column
         said = said if bare == said else capitalize_first_letter(bare)
         cause = (
@@ -78,7 +79,9 @@ class ClassRow:
     @property
     def plan_kind(self) -> str:
         """The kind of its plan, "" if unknown."""
-        return plan_kind(str(self.object["plan"])) if "plan" in self.object else ""
+        if "plan" in self.object:
+            return plan_kind(str(self.object["plan"]))
+        return ""
 
     @property
     def plan_task_and_student(self) -> tuple[str, str, str]:
@@ -87,7 +90,9 @@ class ClassRow:
 
     def with_text(self, more: str) -> ClassRow:
         """The same row with an additional text."""
-        return replace(self, said=join_sentences([self.said, more])) if more else self
+        if more:
+            return replace(self, said=join_sentences([self.said, more]))
+        return self
 
     @classmethod
     def from_saved(cls, data: Json) -> ClassRow:
@@ -98,9 +103,9 @@ class ClassRow:
 
 
 def _plan_text(outcome: Outcome, lang: Lang) -> str:
-    return (
-        say("check_numbers", lang) if outcome.has_only_results else plan_name_in_words(outcome.bench.asked.plan, lang)
-    )
+    if outcome.has_only_results:
+        return say("check_numbers", lang)
+    return plan_name_in_words(outcome.bench.asked.plan, lang)
 
 
 def teacher_priority(one: Checked) -> int:
@@ -108,7 +113,11 @@ def teacher_priority(one: Checked) -> int:
     if one.verdict == "unreadable" or one.found is None:
         return UNREADABLE_RANK
     doubtful = one.found.unseen or (one.verdict == "wrong" and one.found.mistake is None)
-    return UNSURE_RANK if doubtful else WRONG_RANK if one.verdict == "wrong" else RIGHT_RANK
+    if doubtful:
+        return UNSURE_RANK
+    if one.verdict == "wrong":
+        return WRONG_RANK
+    return RIGHT_RANK
 
 
 def table_columns(rows: Sequence[ClassRow], lang: Lang) -> tuple[list[str], list[str]]:

@@ -31,7 +31,9 @@ PAGE_MARGIN_MM = 12.0  # around a drawing on a page
 
 def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     """The data that a page needs to judge moved marks."""
-    bench, plan, taken = outcome.bench, outcome.bench.asked.plan, grading.hand.taken
+    bench = outcome.bench
+    plan = outcome.bench.asked.plan
+    taken = grading.hand.taken
     variants = mistake_variants(bench, taken, grading.mu)
     tape, (misses, *supposed) = grading_tape(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
@@ -64,7 +66,8 @@ def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
 
 def _mark_data(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
     """A mark: its position, if it was read, and the data for its verdict."""
-    taken, true = grading.hand.taken.get(mark), grading.truth[mark]
+    taken = grading.hand.taken.get(mark)
+    true = grading.truth[mark]
     own = taken or ReadMark(mark, true, SCREEN_MARK_ERROR_MM)
     return {
         "name": label_of(mark),
@@ -93,7 +96,8 @@ def _variant_data(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) 
 
 def _verdict_parameters(grading: Grading) -> Json:
     """The numbers that verdicts depend on."""
-    absent, point = grading.rebuilt.absent if grading.rebuilt else (), grading.hand.tool.skill.point_mm
+    absent = grading.rebuilt.absent if grading.rebuilt else ()
+    point = grading.hand.tool.skill.point_mm
     same = (s.makes for s in grading.hand.program.steps if isinstance(s, Same))
     return {
         "false_alarm": judging.FALSE_ALARM_SHARE,
@@ -142,14 +146,17 @@ def _page_sentences(outcome: Outcome, lang: Lang) -> dict[str, str]:
 def _polygon_fault_data(grading: Grading, lang: Lang) -> Json | None:
     """An error though no mark is wrong."""
     said = grading.polygon_fault
-    return {"first": said.parts["mark"], "mark": grading.missing_force, "said": said.told(lang)} if said else None
+    if said:
+        return {"first": said.parts["mark"], "mark": grading.missing_force, "said": said.told(lang)}
+    return None
 
 
 def _picture_and_box(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
     """The picture, if any, and the part of the paper to show."""
     paper = outcome.paper
     if paper.picture:
-        (w, h), pole = SHEET_MM, blank_pole(outcome.bench)
+        w, h = SHEET_MM
+        pole = blank_pole(outcome.bench)
         box = paper.box or (-pole.real, -pole.imag, w - pole.real, h - pole.imag)
         href = "data:image/jpeg;base64," + base64.b64encode(paper.picture).decode()
         unread = outcome.grading is None or any(m not in outcome.grading.hand.taken for m in outcome.grading.marks)
@@ -159,7 +166,8 @@ def _picture_and_box(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
 
 def _box_of_both_plans(outcome: Outcome, truth: Mapping[str, complex]) -> list[float]:
     """The bounding box of both plans: left, bottom, right, top."""
-    shown, margin = shown_plans(outcome), complex(PAGE_MARGIN_MM, PAGE_MARGIN_MM)
+    shown = shown_plans(outcome)
+    margin = complex(PAGE_MARGIN_MM, PAGE_MARGIN_MM)
     vectors_shown = [*shown.own, *shown.true, *outcome.paper.strokes]
     places = [0j, *truth.values(), *own_marks(outcome).values(), *(z for v in vectors_shown for z in v)]
     low, high = bounding_corners(z for z in places if abs(z) < 2000)  # without invalid positions

@@ -26,7 +26,9 @@ def wrong_places(outcome: Outcome) -> list[Json]:
 
 
 def _place_windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
-    shown, paper, kind = shown_plans(outcome), outcome.paper, plan_kind(outcome.bench.asked.plan)
+    shown = shown_plans(outcome)
+    paper = outcome.paper
+    kind = plan_kind(outcome.bench.asked.plan)
     truth = true_marks(outcome)
     if kind == "force":  # there its order is free, and a step leads to the right position
         truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z}
@@ -36,7 +38,8 @@ def _place_windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
         places = [z for z in (shown.marks.get(name), truth.get(name)) if z is not None]
         if name == POLE_LABEL or not places:
             continue
-        middle, apart = sum(places) / len(places), max(abs(z - places[0]) for z in places)
+        middle = sum(places) / len(places)
+        apart = max(abs(z - places[0]) for z in places)
         reach = min(max(WINDOW_HALF_SIZES_MM[0], 0.75 * apart + 6), WINDOW_HALF_SIZES_MM[1])
         box = middle.real - reach, middle.imag - reach, middle.real + reach, middle.imag + reach
         yield {
@@ -69,14 +72,17 @@ def _strokes_near_box(strokes: Iterable[Vector], box: Box) -> list[Vector]:
 
 def jpeg_data_address(data: bytes) -> str:
     """A JPEG as a data address."""
-    return f"data:image/jpeg;base64,{base64.b64encode(data).decode()}" if data else ""
+    if data:
+        return f"data:image/jpeg;base64,{base64.b64encode(data).decode()}"
+    return ""
 
 
 def thumbnail_jpeg(outcome: Outcome | None, small: bytes) -> bytes:
     """A small picture (JPEG) of a drawing: the part with its plan, if read, else ``small``; b"" without a picture."""
     if not outcome or not outcome.paper.picture:
         return _cropped_jpeg(small, None, THUMBNAIL_SIDE_PX) if small else b""
-    paper, ends = outcome.paper, [z for v in shown_plans(outcome).own for z in v]
+    paper = outcome.paper
+    ends = [z for v in shown_plans(outcome).own for z in v]
     if len(ends) < 2:
         return _cropped_jpeg(paper.picture, None, THUMBNAIL_SIDE_PX)
     low, high = bounding_corners(ends)

@@ -53,13 +53,15 @@ class _Desk:
         skill = hand.tool.skill
         errors = (skill.point_mm, math.radians(skill.ray_deg), skill.ruler_mm)
         late = [m for m in grading.marks if m not in hand.taken]
-        self.program, self.taken = hand.program, hand.taken
+        self.program = hand.program
+        self.taken = hand.taken
         self.tape = Tape()
         self.tool = _TapeHand(PlainRecording(), True, tape=self.tape, errors=errors, late=late, plans=12, settled=1e-5)
         self.own = {
             mark: self._read_mark_position(mark) for mark in (*hand.taken, *late) if mark in hand.program.result_names
         }
-        self.tool.own, self.tool.values = self.own, hand.given
+        self.tool.own = self.own
+        self.tool.values = hand.given
         self.things: Env = dict(hand.given)
         for name, share in hand.unsure.items():
             self.things[name] = self.things[name] * (1 + self.tool.source(share))

@@ -75,13 +75,16 @@ class Shown:
 
 def shown_plans(outcome: Outcome) -> Shown:
     """The person's plan in its position and the right one; force polygons both in the person's order."""
-    bench, own = outcome.bench, own_marks(outcome)
-    at_own, at_true = {POLE_LABEL: 0j, **own}, {POLE_LABEL: 0j, **true_marks(outcome)}
+    bench = outcome.bench
+    own = own_marks(outcome)
+    at_own = {POLE_LABEL: 0j, **own}
+    at_true = {POLE_LABEL: 0j, **true_marks(outcome)}
     if plan_kind(bench.asked.plan) != "force":
         pairs = vector_end_labels(bench)
         drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
         return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _correction_vectors(outcome, own))
-    sides, order = polygon_sides(bench.plans, bench.asked.plan), own_side_order(outcome)
+    sides = polygon_sides(bench.plans, bench.asked.plan)
+    order = own_side_order(outcome)
     laid = read_sides(sides, outcome.paper.spots, bench.naming) if order else sides_between_marks(sides, at_own)
     right = sides_laid_in_order(order, at_true) if order else sides_between_marks(sides, at_true)
     ends = {s.end: end for s, (_, end) in reversed(laid)}  # each at the end of the first side that leads to it
@@ -94,7 +97,8 @@ def _correction_vectors(outcome: Outcome, shown: Mapping[str, complex]) -> list[
     """From each wrong mark, as displayed, to the point constructed from the person's own marks."""
     if outcome.grading is None:
         return []
-    verdicts, limit = outcome.grading.verdicts, outcome.grading.judgement.limit
+    verdicts = outcome.grading.verdicts
+    limit = outcome.grading.judgement.limit
     off = {m: miss for m, miss in outcome.grading.judgement.misses.items() if miss.sigmas > WARNING_SIGMAS}
     rows = [(label_of(m), miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= limit]
     return [(shown[n], shown[n] - by) for n, by in rows if n in shown]
@@ -102,7 +106,9 @@ def _correction_vectors(outcome: Outcome, shown: Mapping[str, complex]) -> list[
 
 def own_side_order(outcome: Outcome) -> list[Side]:
     """A force polygon's sides in the person's order, missing ones last; none where the pen was lifted."""
-    bench, spots, grading = outcome.bench, outcome.paper.spots, outcome.grading
+    bench = outcome.bench
+    spots = outcome.paper.spots
+    grading = outcome.grading
     if plan_kind(bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
         return []
     sides = {s.name: s for s in polygon_sides(bench.plans, bench.asked.plan)}
@@ -119,7 +125,8 @@ LaidSides = list[tuple[Side, Vector]]  # their positions, mm from the pole
 def read_sides(sides: Sequence[Side], spots: Sequence[ReadMark], naming: Naming) -> LaidSides:
     """The vectors as read."""
     by_name = {s.name: s for s in sides}
-    names, pole = naming.name_finder(by_name), spots[0].place
+    names = naming.name_finder(by_name)
+    pole = spots[0].place
     rows = [(names.find_name(b.name), (a.place - pole, b.place - pole)) for a, b in pairwise(spots)]
     return [(by_name[name], v) for name, v in rows if name in by_name]
 
@@ -150,7 +157,8 @@ def tracing_data(asked: Asked, lang: Lang) -> Json:
 
 
 def _plan_data(bench: PreparedPlan, lang: Lang) -> Json:
-    plan, kind = bench.asked.plan, plan_kind(bench.asked.plan)
+    plan = bench.asked.plan
+    kind = plan_kind(bench.asked.plan)
     marks = bench.true_marks
     mu = mu_text(bench.said_mu, kind, lang, bench.asked.scene.mu_convention)
     line = shlex.join(bench.asked.command_words("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")

@@ -44,7 +44,9 @@ def fitted_camera_tilt(
     plain, tilted = (_fit_tilt(lens, seen, right, free) for free in (0.0, 1.0))
     tilt = lens.held.slopes_for_sigmas(tilted)
     gain = _fit_cost(lens, seen, right, plain) - _fit_cost(lens, seen, right, tilted)
-    return tilt if abs(tilt) > LEAST_TILT_SLOPE and gain > LEAST_LIKELIHOOD_GAIN else None
+    if abs(tilt) > LEAST_TILT_SLOPE and gain > LEAST_LIKELIHOOD_GAIN:
+        return tilt
+    return None
 
 
 def log_deviation_from_plan(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]) -> float:
@@ -77,12 +79,15 @@ def _fit_cost(lens: Lens, seen: Complexes, right: Complexes, k: Array) -> float:
 
 def _fit_tilt(lens: Lens, seen: Complexes, right: Complexes, free: float) -> Array:
     """Tilt (if ``free``), rotation and scaling that fit marks to the right ones best (Gauss-Newton)."""
-    k, sigma = numpy.zeros(4), _parameter_sigmas(lens) * [max(free, 1e-6), max(free, 1e-6), 1, 1]
+    k = numpy.zeros(4)
+    sigma = _parameter_sigmas(lens) * [max(free, 1e-6), max(free, 1e-6), 1, 1]
     for wide in OUTLIER_WIDTHS_MM:
         off = _mark_errors(lens, seen, right, k)
         slopes = [(_mark_errors(lens, seen, right, k + d) - off) / 1e-5 for d in 1e-5 * numpy.eye(4)]
         weight = 1 / numpy.sqrt(MARK_SIGMA_MM**2 * (1 + (abs(off) / wide) ** 2 / 2))
-        rows, left = numpy.stack([(s * weight).view(float) for s in slopes], axis=1), (off * weight).view(float)
-        rows, left = numpy.vstack([rows, numpy.diag(1 / sigma)]), numpy.concatenate([left, k / sigma])
+        rows = numpy.stack([(s * weight).view(float) for s in slopes], axis=1)
+        left = (off * weight).view(float)
+        rows = numpy.vstack([rows, numpy.diag(1 / sigma)])
+        left = numpy.concatenate([left, k / sigma])
         k = k - numpy.linalg.lstsq(rows, left, rcond=None)[0]
     return k

@@ -58,12 +58,11 @@ def best_examination(
     if flat.by != "scale" or pole is not None:
         printed = flat.pole or blank_pole(bench) if flat.by == "marks" or flat.size_mm == SHEET_MM else None
         look = examine_picture(bench, flat, printed if pole is None else pole, held)
-        return (
-            look
-            if look.has_plan or pole is not None or flat.by == "marks"
-            else examine_picture(bench, flat, None, held)
-        )
-    page, looks = split_page(flat), [Look(flat, 0j)]
+        if look.has_plan or pole is not None or flat.by == "marks":
+            return look
+        return examine_picture(bench, flat, None, held)
+    page = split_page(flat)
+    looks = [Look(flat, 0j)]
     for k, mu in page.likely_plan_parts(bench):
         look = examine_picture(bench.at_scale(mu, fixed=True) if mu else bench, page.cut_out_part(k), None)
         look.paper.mu = mu
@@ -91,7 +90,8 @@ def examine_picture(
     least = LEAST_EXPLAINED_SHARES[near is None]
     if seen.likeliest_drawing.cover < LEAST_COVER or seen.likeliest_drawing.cover * seen.explained_ink_share < least:
         return look
-    look.pole, paper = pole, look.paper
+    look.pole = pole
+    paper = look.paper
     paper.spots = convert_to_true_mm(
         flat, pole, seen.sheet_scale, with_scale_vector_errors(flat, pole, seen.seen_marks(), bench)
     )

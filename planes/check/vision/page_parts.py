@@ -39,7 +39,8 @@ class PageParts:
     def likely_plan_parts(self, bench: PreparedPlan) -> list[tuple[int, float | None]]:
         """Parts that may be the plan, at a standard scale if none is stated; the likeliest first."""
         plan = [0j, *bench.true_marks.values()]
-        xs, ys = [z.real for z in plan], [z.imag for z in plan]
+        xs = [z.real for z in plan]
+        ys = [z.imag for z in plan]
         size = max(xs) - min(xs), max(ys) - min(ys)
         parts = []
         for k, seen in enumerate((w / PX_PER_MM, h / PX_PER_MM) for _, _, w, h in self.boxes):
@@ -55,10 +56,14 @@ class PageParts:
 
     def cut_out_part(self, k: int) -> Flat:
         """A part cut out with a margin of paper, the ink of others painted over."""
-        up, rim, (height, width) = self.flat.scale / PX_PER_MM, PART_MARGIN_MM * self.flat.scale, self.flat.grey.shape
+        up = self.flat.scale / PX_PER_MM
+        rim = PART_MARGIN_MM * self.flat.scale
+        height, width = self.flat.grey.shape
         x, y, w, h = self.boxes[k]
-        left, top = max(int(x * up - rim), 0), max(int(y * up - rim), 0)
-        right, low = min(int((x + w) * up + rim), width), min(int((y + h) * up + rim), height)
+        left = max(int(x * up - rim), 0)
+        top = max(int(y * up - rim), 0)
+        right = min(int((x + w) * up + rim), width)
+        low = min(int((y + h) * up + rim), height)
         rows = (numpy.arange(top, low) / up).astype(int).clip(0, self.labels.shape[0] - 1)
         columns = (numpy.arange(left, right) / up).astype(int).clip(0, self.labels.shape[1] - 1)
         held = self.labels[rows[:, None], columns]
@@ -79,7 +84,8 @@ def _possible_scales(bench: PreparedPlan, true_mm: float, seen_mm: float) -> Ite
 
 def split_page(flat: Flat) -> PageParts:
     """The parts of a page."""
-    cv2, size = cv(), tuple(round(mm * PX_PER_MM) for mm in flat.size_mm)
+    cv2 = cv()
+    size = tuple(round(mm * PX_PER_MM) for mm in flat.size_mm)
     share = math.sqrt(A3_MM2 / math.prod(flat.size_mm))
     surveyed = Flat(resize_by_factor(flat.grey, share), flat.scale) if share < 1 else flat
     small = cv2.resize(drawing_ink(surveyed).mask * 255, size, interpolation=cv2.INTER_AREA)

@@ -39,7 +39,10 @@ def read_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> 
     """
     known = known or Known()
     picture = load(file, known.page)
-    best, by, pole, code = None, None, known.pole, None
+    best = None
+    by = None
+    pole = known.pole
+    code = None
     for flat, named in _possible_rectifications(bench, picture, known):
         code = read_mark_of_sheet(flat) if flat.by == "marks" else None
         bench = _plan_at_printed_scale(bench, flat, code)
@@ -48,7 +51,8 @@ def read_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> 
             bench, flat, 0j if named else None if pole is None else flat.sheet_point_of_pixel(pole), held
         )
         if best is None or (look.has_plan, look.cover) > (best.has_plan, best.cover):
-            best, by = look, None if flat.by_file else named
+            best = look
+            by = None if flat.by_file else named
         if best.flat.by in ("scale", "part") and best.has_plan:
             break
     best = best and _correct_camera_tilt(bench, picture, known, best)
@@ -58,7 +62,8 @@ def read_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> 
     paper = replace(
         best.paper, file=file, whole=False, look=picture.pixel_hash, scale_mark=by, notes=list(best.flat.notes)
     )
-    paper.pole_told, paper.mu = pole is not None or best.flat.by == "marks", best.paper.mu or bench.asked.mu
+    paper.pole_told = pole is not None or best.flat.by == "marks"
+    paper.mu = best.paper.mu or bench.asked.mu
     paper.picture, paper.box = picture_for_page(best.flat), best.picture_box(bench)
     if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
         plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
@@ -84,7 +89,9 @@ def _mark_setting_scale(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[
     if flat.told is None or flat.by_file:
         return None
     names = {n: z for k, z in known.marks.items() if (n := bench.written_mark_names.find_name(k))}
-    return (flat.told[0], flat.sheet_point_of_pixel(names[flat.told[0]])) if flat.told[0] in names else None
+    if flat.told[0] in names:
+        return (flat.told[0], flat.sheet_point_of_pixel(names[flat.told[0]]))
+    return None
 
 
 def _correct_camera_tilt(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
@@ -92,7 +99,8 @@ def _correct_camera_tilt(bench: PreparedPlan, picture: DecodedPicture, known: Kn
 
     The first findings are kept if they explain the marks better.
     """
-    lens, true = best.flat.lens, {label_of(m): z for m, z in bench.true_marks.items()}
+    lens = best.flat.lens
+    true = {label_of(m): z for m, z in bench.true_marks.items()}
     tilt = fitted_camera_tilt(lens, best.pole, best.paper.spots, true) if lens and best.has_plan else None
     if tilt is None or lens is None or known.pole is None:
         return best
@@ -113,7 +121,9 @@ def _plan_at_printed_scale(bench: PreparedPlan, flat: Flat, code: SheetMark | No
     if code is None or code.plan != bench.asked.plan:
         return bench
     flat.pole = code.pole
-    return bench if bench.asked.mu else bench.at_scale(code.mu or bench.said_mu, fixed=True)
+    if bench.asked.mu:
+        return bench
+    return bench.at_scale(code.mu or bench.said_mu, fixed=True)
 
 
 def _missing_reference_error(grey: Greys) -> PlanesError:
@@ -126,7 +136,8 @@ def _possible_rectifications(
     bench: PreparedPlan, picture: DecodedPicture, known: Known
 ) -> Iterator[tuple[Flat, str | None]]:
     """Possible rectifications of the picture; with the vector that sets its scale, if any."""
-    grey, scale = picture.grey, picture.scale
+    grey = picture.grey
+    scale = picture.scale
     if known.pole is not None and known.marks:
         yield _rectify_by_pole_and_mark(bench, picture, known.pole, known.marks)
     elif flat := None if known.format else flatten(grey):

@@ -32,7 +32,8 @@ def print_scale_of_scan(flat: Flat, grey: Greys, scale: float | None) -> float:
     if scale is None:
         return 1.0
     height, width = grey.shape
-    far, middle = min(height, width) / 4, complex(width, height) / 2
+    far = min(height, width) / 4
+    middle = complex(width, height) / 2
     across, down = (
         2 * far / scale / abs(flat.sheet_point_of_pixel(middle + far * w) - flat.sheet_point_of_pixel(middle - far * w))
         for w in (1, 1j)
@@ -51,7 +52,8 @@ def convert_to_true_mm(flat: Flat, about: complex, share: float, spots: list[Rea
         return spots
     if share == flat.printed:
         flat.notes.append(Phrase("check_printed_at", share=Written(f"{100 * share:.1f}")))
-    flat.scale, flat.corner = flat.scale / share, about + (flat.corner - about) * share
+    flat.scale = flat.scale / share
+    flat.corner = about + (flat.corner - about) * share
     return [replace(s, place=about + (s.place - about) * share) for s in spots]
 
 
@@ -62,7 +64,8 @@ def with_scale_vector_errors(flat: Flat, about: complex, spots: list[ReadMark], 
     """
     if flat.told is None:
         return spots
-    length, mark = flat.told[1], full_mark_name(bench.asked.plan, flat.told[0])
+    length = flat.told[1]
+    mark = full_mark_name(bench.asked.plan, flat.told[0])
     right = {full_mark_name(bench.asked.plan, n): ReadMark(n, z) for n, z in bench.true_marks.items()}
     misses = Hand(bench.program, bench.given, bench.asked.skill, right).misses([mark])
     own = misses[mark].mean_sigma_mm if mark in misses else 0.0

@@ -93,8 +93,12 @@ class LiveFigure:
         plan = plan_of(mark)
         label = label_of(mark)
         if plan == SCHEME_PLAN:
-            return "" if label == POLE_LABEL else self.naming.lettered_point(label)
-        return self.naming.mark(label, plan) if plan_kind(plan) != "force" else ""
+            if label == POLE_LABEL:
+                return ""
+            return self.naming.lettered_point(label)
+        if plan_kind(plan) != "force":
+            return self.naming.mark(label, plan)
+        return ""
 
     @cached_property
     def plan_vectors(self) -> list[Stretch]:

@@ -53,7 +53,9 @@ class GivenNumbers:
     def _free_numbers(self) -> FreeNumbers | None:
         stated = self.figure.stated_plans
         own = {n: self.figure.position.drawing.things[n] for n in stated.program.given_names}
-        return FreeNumbers(stated, {**stated.given, **own}) if stated.has_mechanism else None
+        if stated.has_mechanism:
+            return FreeNumbers(stated, {**stated.given, **own})
+        return None
 
     @cached_property
     def _values_of_free(self) -> dict[str, float]:
@@ -87,7 +89,9 @@ class GivenNumbers:
 
     def _tape_coordinates(self, name: str) -> list[Real]:
         thing: Any = self._tape[1].get(name, self.given[name])
-        return [thing.real, thing.imag] if isinstance(self.given[name], complex) else [thing]
+        if isinstance(self.given[name], complex):
+            return [thing.real, thing.imag]
+        return [thing]
 
     def coordinate_formulas(self, name: str, labels: Mapping[str, str]) -> list[str]:
         """A computed number, or both coordinates of a place, by the ``labels`` of the free ones."""
@@ -120,4 +124,6 @@ def tape_formula(tape: Tape, place: int, labels: Mapping[str, str]) -> str:
 
 def number_literal(value: float) -> str:
     """A number in a formula."""
-    return f"({geogebra_number(value)})" if value < 0 else geogebra_number(value)
+    if value < 0:
+        return f"({geogebra_number(value)})"
+    return geogebra_number(value)

@@ -61,7 +61,9 @@ class Translator:
         """The appearance of an object on the way to a mark, or of the mark."""
         if kind == "conic" or (kind == "line" and mark in self.figure.shown_marks):
             return CONSTRUCTION_LINE_ASPECT
-        return self.looks(mark) if kind == "point" and not head else HIDDEN_ASPECT
+        if kind == "point" and not head:
+            return self.looks(mark)
+        return HIDDEN_ASPECT
 
     def write_as_constant(self, step: s.Step) -> None:
         """A step as a constant, with its value in this position."""
@@ -135,7 +137,9 @@ class Translator:
         """The distance between two marks, or its component along a direction."""
         start = self.labels[step.start]
         end = self.labels[step.end]
-        return f"(({end} - {start}) * {self.labels[step.along]})" if step.along else f"Distance[{start}, {end}]"
+        if step.along:
+            return f"(({end} - {start}) * {self.labels[step.along]})"
+        return f"Distance[{start}, {end}]"
 
     def product_formula(self, term: r.Product) -> str:
         """One product of powers."""

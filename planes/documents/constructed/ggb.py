@@ -121,12 +121,12 @@ def _slider_range(name: str, value: float, drives: bool) -> tuple[float, float] 
     if letter_of(name) == "side":
         return None
     if direction_of_given_angle(name) or (drives and letter_of(name) == "angle"):
-        return (
-            (0.0, FULL_TURN_DEG)
-            if 0 <= value <= FULL_TURN_DEG
-            else (value - FULL_TURN_DEG / 2, value + FULL_TURN_DEG / 2)
-        )
-    return ((1 - LENGTH_SLIDER_SHARE) * value, (1 + LENGTH_SLIDER_SHARE) * value) if value else None
+        if 0 <= value <= FULL_TURN_DEG:
+            return (0.0, FULL_TURN_DEG)
+        return (value - FULL_TURN_DEG / 2, value + FULL_TURN_DEG / 2)
+    if value:
+        return ((1 - LENGTH_SLIDER_SHARE) * value, (1 + LENGTH_SLIDER_SHARE) * value)
+    return None
 
 
 def _point_appearance(figure: LiveFigure, mark: str) -> Aspect:

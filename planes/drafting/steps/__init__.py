@@ -71,7 +71,9 @@ class Put(Step):
     needs = (("at", "place"), *values("mu"))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        return tool.mark(env[self.at] * env[self.mu]) if self.at and self.mu else 0j
+        if self.at and self.mu:
+            return tool.mark(env[self.at] * env[self.mu])
+        return 0j
 
 
 @frozen
@@ -111,7 +113,9 @@ class Turn(Step):
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         turned = env[self.of] * (1, 1j, -1, -1j)[self.quarter % 4]
-        return turned * tool.ar.cis_deg(env[self.angle]) if self.angle else turned
+        if self.angle:
+            return turned * tool.ar.cis_deg(env[self.angle])
+        return turned
 
 
 @frozen

@@ -63,7 +63,9 @@ class Follow(Step):
     def ends(self) -> dict[str, object]:
         """The variable of the table, and its range."""
         table = self.law.table
-        return {"over": self.law.text, "first": table[0][0], "last": table[-1][0]} if table else {}
+        if table:
+            return {"over": self.law.text, "first": table[0][0], "last": table[-1][0]}
+        return {}
 
 
 @frozen

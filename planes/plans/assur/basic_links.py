@@ -27,7 +27,9 @@ class Lead:
     @property
     def lead_links(self) -> NameTuple:
         """The links it consists of."""
-        return (self.link, self.drive.other_link_of_pair(self.link)) if self.drive else (self.link,)
+        if self.drive:
+            return (self.link, self.drive.other_link_of_pair(self.link))
+        return (self.link,)
 
     def as_inner_driven_dyad(self, basic: str) -> Group:
         """The lead and the basic link as a dyad driven from inside."""

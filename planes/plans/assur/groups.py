@@ -98,11 +98,9 @@ class Group:
     @property
     def held_link_first_with_pairs(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
         """The held link and the other, with their outer pairs."""
-        return (
-            self.links_with_outer_pairs[::-1]
-            if self.drive and self.drive.has_link(self.last)
-            else self.links_with_outer_pairs
-        )
+        if self.drive and self.drive.has_link(self.last):
+            return self.links_with_outer_pairs[::-1]
+        return self.links_with_outer_pairs
 
     @property
     def links_by_force_plan(self) -> tuple[NameTuple, ...]:
@@ -111,7 +109,9 @@ class Group:
 
     def links_composing(self, link: str) -> NameTuple:
         """The links that one of the two consists of: itself and, with a drive inside, the other link of the drive."""
-        return (link, self.drive.other_link_of_pair(link)) if self.drive and link == self.held_link else (link,)
+        if self.drive and link == self.held_link:
+            return (link, self.drive.other_link_of_pair(link))
+        return (link,)
 
     def loaded_links(self, link: str) -> NameTuple:
         """The links whose loads act on one of the two: its parts, and the cylinder that braces them."""

@@ -70,7 +70,9 @@ class Reached:
         """The two links as a dyad on the solved links, or None."""
         one, two = links
         inner = self.unsolved_pairs_between(two, one)
-        return self.classify_dyad(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
+        if len(inner) == 1:
+            return self.classify_dyad(links, self.outer[one][0], inner[0], self.outer[two][0])
+        return None
 
     def classify_dyad(self, links: NamePair, a: Pair, inner: Pair, b: Pair) -> Group:
         """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""

@@ -91,7 +91,9 @@ class LawValues:
         if c.letter == "phi":
             return self.bodies.draft.add_step(Protractor(f"phi_{c.of}", body.axis))
         rates = self.velocity if c.letter == "omega" else self.accelerations
-        return self.bodies.draft.add_given(f"still_{c.of}", 0.0) if body.root == FRAME else rates.spin(body.root)
+        if body.root == FRAME:
+            return self.bodies.draft.add_given(f"still_{c.of}", 0.0)
+        return rates.spin(body.root)
 
     def _slider_coordinate_value(self, c: Coordinate) -> str:
         if c.letter != "s":

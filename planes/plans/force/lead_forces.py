@@ -122,7 +122,9 @@ class LeadForces(RubbingPlan):
     def friction_along_lead(self, lead: Lead, pair: Pair) -> list[Product]:
         """The friction of a guide that acts along a lead, if there is any."""
         sign = -1.0 if lead.link == pair.link else 1.0
-        return [Product(sign, ((self.slips[pair].force, 1),))] if pair in self.slips else []
+        if pair in self.slips:
+            return [Product(sign, ((self.slips[pair].force, 1),))]
+        return []
 
     def guide_friction_on_link(self, pair: Pair, link: str, point: str) -> list[Force]:
         """The friction of a guide on one of its links, if there is any."""

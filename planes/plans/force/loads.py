@@ -191,11 +191,9 @@ class Acting:
             return d.add_step(
                 Turn(f"∠{name}", axis, 0, law, means=means) if turned else Aim(f"∠{name}", law, means=means)
             )
-        return (
-            d.draw_turned_direction(f"∠{name}", axis, angle, means)
-            if turned
-            else d.draw_direction_at_angle(f"∠{name}", angle, means)
-        )
+        if turned:
+            return d.draw_turned_direction(f"∠{name}", axis, angle, means)
+        return d.draw_direction_at_angle(f"∠{name}", angle, means)
 
     def _add_given_couple(self, load: Load, name: str) -> str:
         d = self.bodies.draft

@@ -193,7 +193,9 @@ class _GroupForces(RubbingPlan):
 
     def reaction_ends_on_first_link(self, pair: Pair, link: str, start: str, end: str) -> NamePair:
         """The ends of the reaction on ``link`` from start to end, with the sign for the first link of the pair."""
-        return (start, end) if pair.link in self.group.links_composing(link) else (end, start)
+        if pair.link in self.group.links_composing(link):
+            return (start, end)
+        return (end, start)
 
     def seat_sliding_reactions(self, reactions: dict[Pair, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""

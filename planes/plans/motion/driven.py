@@ -86,7 +86,9 @@ def _drive_coriolis_term(r: RatePlan, leg: Leg, across: str) -> Term:
 
 def _given_relative_velocity_name(r: RatePlan, leg: Leg) -> str:
     """The name of the given velocity relative to the turning link."""
-    return "v_drive" if leg.drive and leg.drive.kind == "P" else f"v_{leg.driven}"
+    if leg.drive and leg.drive.kind == "P":
+        return "v_drive"
+    return f"v_{leg.driven}"
 
 
 def _end_label_of_leg(r: RatePlan, leg: Leg) -> str:

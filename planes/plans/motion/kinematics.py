@@ -87,7 +87,9 @@ class Rates(RatePlan):
 
     def unknown_vector_start(self, leg: Leg) -> str:
         """The start mark of a leg's unknown vector."""
-        return mark_at_drive_vector_end(self, leg) if leg.drive else self.mark(leg.known.name)
+        if leg.drive:
+            return mark_at_drive_vector_end(self, leg)
+        return self.mark(leg.known.name)
 
     def sliding_rate_of_slider(self, leg: Leg) -> SlideReading:
         """The rate of the slider along its guide."""

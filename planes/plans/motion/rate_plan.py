@@ -47,7 +47,9 @@ class RatePlan:
     def drive_rate_name(self) -> str:
         """Name of the rate of the drive."""
         drive = self.bodies.mechanism.drive
-        return f"{self.letter}drive" if drive.kind == "s" else self.spin(drive.turning)
+        if drive.kind == "s":
+            return f"{self.letter}drive"
+        return self.spin(drive.turning)
 
     @property
     def hinge_rate_name(self) -> str:
@@ -63,7 +65,9 @@ class RatePlan:
     def relative_spin_name(self) -> str:
         """Name of the relative angular velocity."""
         pair = self.bodies.structure.drive_pairs[-1]
-        return f"omega_{pair.link}_{pair.other}" if self.bodies.reach else self.bodies.mechanism.drive.rate_names[0]
+        if self.bodies.reach:
+            return f"omega_{pair.link}_{pair.other}"
+        return self.bodies.mechanism.drive.rate_names[0]
 
     def label(self, name: str) -> str:
         """The label of a point on this plan: small letters, primed for accelerations; the pole if fixed."""

@@ -91,7 +91,9 @@ def hinge_mark_by_cylinder(aside: Aside, pair: Pair, hinge: str) -> str:
     line = b.guide_direction_from_axis(pair, aside.link.name, aside.axis)
     line = line if carries else d.draw_reversed_direction(line)
     end = aside.lay_off_point(hinge, aside.start, line, reach)
-    return aside.lay_off_point(f"{hinge}⊥", end, d.draw_perpendicular(line), across) if across else end
+    if across:
+        return aside.lay_off_point(f"{hinge}⊥", end, d.draw_perpendicular(line), across)
+    return end
 
 
 def cylinder_distance_names(b: Bodies, pair: Pair, ends: NamePair) -> tuple[str, str | None]:

@@ -112,7 +112,9 @@ def _side_nearer_to_place(b: Bodies, program: Program, choice: AssemblyChoice, k
 def _deciding_point(b: Bodies, choice: AssemblyChoice, key: str) -> str:
     """The point that decides: for the key of a guide, one that moves with the choice."""
     placed = full_mark_name("position", key) in b.draft.steps
-    return key if placed else next(iter(_points_moving_with_choice(choice.group, b.mechanism)), key)
+    if placed:
+        return key
+    return next(iter(_points_moving_with_choice(choice.group, b.mechanism)), key)
 
 
 def _missing_choice_question(b: Bodies, program: Program, choice: AssemblyChoice) -> Phrase:

@@ -201,11 +201,9 @@ class Bodies:
 
     def guide_angle_in_link(self, pair: Pair, link: str) -> Dimension:
         """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
-        return (
-            -dimension_by_way(self.link_dimensions, "lean", link)
-            if link == pair.link
-            else dimension_by_way(self.link_dimensions, "angle", pair.guide)
-        )
+        if link == pair.link:
+            return -dimension_by_way(self.link_dimensions, "lean", link)
+        return dimension_by_way(self.link_dimensions, "angle", pair.guide)
 
     def link_axis_from_guide(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
@@ -264,7 +262,9 @@ class Bodies:
 
     def mark_of_pair(self, pair: Pair) -> str:
         """The mark where a pair acts: its hinge, or the foot of the perpendicular from the slider's first point."""
-        return scheme_mark(pair.point) if pair.kind == "R" else self.foot_on_guide(pair)
+        if pair.kind == "R":
+            return scheme_mark(pair.point)
+        return self.foot_on_guide(pair)
 
     def foot_on_guide(self, pair: Pair) -> str:
         """The foot of the perpendicular from the slider's first point to the guide."""

@@ -120,7 +120,9 @@ class _Way:
 
 def _extrapolate_pose(spots: Sequence[Waypoint], value: float) -> Pose:
     """The extrapolation of the last two poses."""
-    return _interpolate_pose(spots[-2], spots[-1], value) if len(spots) > 1 else spots[-1].pose
+    if len(spots) > 1:
+        return _interpolate_pose(spots[-2], spots[-1], value)
+    return spots[-1].pose
 
 
 def _interpolate_pose(one: Waypoint, two: Waypoint, value: float) -> Pose:

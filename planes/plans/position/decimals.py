@@ -58,7 +58,9 @@ class _Decimals(Arithmetic):
     def angle_deg(self, u: Point) -> Real:
         near = Decimal(super().angle_deg(complex(u.real, u.imag)))
         left = u * self.cis_deg(-near)
-        return near + left.imag / left.real / RADIANS_PER_DEGREE if left.real else near
+        if left.real:
+            return near + left.imag / left.real / RADIANS_PER_DEGREE
+        return near
 
 
 class AsWritten(SceneDimensions):
@@ -93,7 +95,9 @@ class AsWritten(SceneDimensions):
         if text := self.mechanism.written.decimal_of_number(x):
             return Decimal(text)
         self.unknown[abs(x)] = None
-        return Decimal(x) * (1 + COMPUTED_NUMBER_ERROR_RATIO) if abs(x) == self.moved else Decimal(x)
+        if abs(x) == self.moved:
+            return Decimal(x) * (1 + COMPUTED_NUMBER_ERROR_RATIO)
+        return Decimal(x)
 
     def _decimals_less_double(self, value: Thing, by: Dimension | None) -> Thing:
         """The decimals less the double."""

@@ -70,7 +70,9 @@ _DIMENSION_FORMULAS: Mapping[str, Callable[..., Any]] = {
 def recompute_dimension(how: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Any:
     """What a dimension is of links that have this shape, in some arithmetic: by a way above, or as the shape says."""
     way, *what = how
-    return _DIMENSION_FORMULAS[way](shape, ar, *what) if way in _DIMENSION_FORMULAS else getattr(shape, way)(*what)
+    if way in _DIMENSION_FORMULAS:
+        return _DIMENSION_FORMULAS[way](shape, ar, *what)
+    return getattr(shape, way)(*what)
 
 
 def _rotation_back_to_x(way: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Point:

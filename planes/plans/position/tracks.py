@@ -85,7 +85,9 @@ class Tracks:
 
     def sense_of_lead_lines(self, pose: Pose) -> float:
         """The sense of the leads' lines about each other."""
-        return 1.0 if newton_step(self.ties_at_drive_position(self.drive_position_in_file), pose)[2] > 0 else -1.0
+        if newton_step(self.ties_at_drive_position(self.drive_position_in_file), pose)[2] > 0:
+            return 1.0
+        return -1.0
 
     def store_assembly(self, branch: Branch) -> None:
         """Give the program an assembly and its range."""

@@ -91,9 +91,9 @@ def tie_of_lead(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> 
         local = point_place_on_link(b, link, inner.point)
         if lead.drive:
             way, b.placers[lead] = tie_and_drawer_of_driven_hinge(b, lead.as_inner_driven_dyad(basic), hinge or "")
-            return (
-                Hold("arc", local, place, way.length) if way.length else Hold("line", local, way.start, "", way.along)
-            )
+            if way.length:
+                return Hold("arc", local, place, way.length)
+            return Hold("line", local, way.start, "", way.along)
         if outer.kind == "R":
             length = b.given_distance(b.mechanism.links[lead.link], outer.point, inner.point)
             return Hold("arc", local, place, length)

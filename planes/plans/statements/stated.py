@@ -90,7 +90,9 @@ class StatedPlansBuilder:
 
     def _unknown_part_count(self, terms: Side) -> float:
         """How many parts of the vectors are unknown; infinite where what they depend on is."""
-        return len(self.unknown_parts_in_words(terms)) if self._are_known(t.name for t in terms) else inf
+        if self._are_known(t.name for t in terms):
+            return len(self.unknown_parts_in_words(terms))
+        return inf
 
     def _draw_one_equation(self, left: Left) -> list[object]:
         for row in left:

@@ -52,7 +52,9 @@ class Chains:
 
         def place(term: SideTerm) -> int:
             span = self.vectors.states[term.name].span
-            return lying.index(span[0]) if span and span[0] in lying else len(lying)
+            if span and span[0] in lying:
+                return lying.index(span[0])
+            return len(lying)
 
         return place
 
@@ -61,7 +63,9 @@ class Chains:
             first, second = (one, two) if not any(map(self.has_unknown_part, one)) else (two, one)
             first_chain = self.chain_of_side(first, start, self._end_mark(first, second, total))
             other = self.chain_of_side(second, start, first_chain[-1].end)
-            return (first_chain, other) if first is one else (other, first_chain)
+            if first is one:
+                return (first_chain, other)
+            return (other, first_chain)
         terms = tuple(sorted(one or two, key=self.has_unknown_part))
         if total:
             return self.chain_of_side(terms, start, self._end_mark(terms, (), total)), ()
@@ -145,7 +149,9 @@ class Chains:
     def _line_of_action_text(self, direction: str | None) -> str:
         """The line of action as written beneath; for a given angle the direction itself."""
         means = self.draft.steps[direction].means if direction else None
-        return (means.written_action or direction or "") if means else direction or ""
+        if means:
+            return means.written_action or direction or ""
+        return direction or ""
 
     def _draws_by_similarity(self, stated: SideTerm, like: Similarity, mark: str, end: str) -> bool:
         """Whether a vector is drawn by similarity from a mark; otherwise its length and direction are found."""

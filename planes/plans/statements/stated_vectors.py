@@ -198,7 +198,9 @@ class StatedVectors:
     def load_meaning(self, name: str) -> Meaning | None:
         """The load whose magnitude a given number is, where its vector's letter shows it."""
         letter, index, _ = split_value_name(name)
-        return Meaning("load", name, link=index) if letter in _LOAD_MEANING_BY_LETTER or letter == "F" else None
+        if letter in _LOAD_MEANING_BY_LETTER or letter == "F":
+            return Meaning("load", name, link=index)
+        return None
 
     def end_mark_meaning(self, name: str) -> Meaning | None:
         """The meaning of a vector's end mark: of a normal component, a Coriolis one, a weight."""
@@ -225,7 +227,9 @@ class StatedVectors:
     def results_awaited(self, name: str) -> list[str]:
         """The results that a value waits for."""
         value = self.statement.values[name]
-        return [n for n in value.names_read if not self.has_known_length(n)] if isinstance(value, VectorAmount) else []
+        if isinstance(value, VectorAmount):
+            return [n for n in value.names_read if not self.has_known_length(n)]
+        return []
 
     def record_equation_vectors(self, equation: Equation, terms: dict[str, SideTerm]) -> None:
         """From now on the vectors of an equation are on its plan."""

@@ -116,7 +116,11 @@ class StraightBeam:
 
     def beam_part_at(self, where: float) -> int:
         """The part of the beam: before both supports, between them, or after them."""
-        return 0 if where < -MOST_SQUARE_LOAD_COSINE else 1 if where <= 1.0 + MOST_SQUARE_LOAD_COSINE else 2
+        if where < -MOST_SQUARE_LOAD_COSINE:
+            return 0
+        if where <= 1.0 + MOST_SQUARE_LOAD_COSINE:
+            return 1
+        return 2
 
     def loads_before_place(self, where: float) -> int:
         """The number of loads before a place."""

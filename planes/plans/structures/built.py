@@ -218,7 +218,9 @@ class FrameworkBuilder(StatedLoads):
         """The end marks of a load."""
         terms = ((e.plan, t) for e in self.draft.equations for t in e.all_terms if t.name == name)
         plan, term = next(terms, ("", None))
-        return (full_mark_name(plan, term.start), full_mark_name(plan, term.end)) if term else ("", "")
+        if term:
+            return (full_mark_name(plan, term.start), full_mark_name(plan, term.end))
+        return ("", "")
 
     def resultants_of_plans(self) -> Iterator[tuple[str, NamePair]]:
         """The resultants of whole plans."""

@@ -185,7 +185,9 @@ class CremonaPlan:
         reached = {member[0]}
         while more := {p for m in left if {*m} & reached for p in m} - reached:
             reached |= more
-        return reached if all(len({*m} & reached) == 1 for m in (member, *two)) else set()
+        if all(len({*m} & reached) == 1 for m in (member, *two)):
+            return reached
+        return set()
 
     def meeting(self, member: Side, two: tuple[Side, Side]) -> str:
         """The intersection of the lines of two cut members, if it is off the line of the first."""

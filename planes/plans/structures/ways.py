@@ -75,7 +75,9 @@ class WayFinder:
                 line is not None
                 and sine_between(self.forces[0], self.reaction_line_direction(line)) > LEAST_DRAWABLE_CROSSING_SINE
             )
-            return ("three-forces" if meets else "string") if b.hinge_or_clamp else "culmann"
+            if b.hinge_or_clamp:
+                return "three-forces" if meets else "string"
+            return "culmann"
         return "string"
 
     def solve_by_moments(self) -> None:
@@ -98,7 +100,9 @@ class WayFinder:
     def reaction_line_direction(self, s: Support) -> complex:
         """The direction of a reaction's line."""
         points = self.framework.points
-        return points[s.to] - points[s.point] if s.to else cmath.rect(1.0, math.radians(s.normal_deg))
+        if s.to:
+            return points[s.to] - points[s.point]
+        return cmath.rect(1.0, math.radians(s.normal_deg))
 
     def refuse_loose_supports(self) -> None:
         """Refuse supports that do not hold: a line through the hinge, three lines through one point or all parallel."""

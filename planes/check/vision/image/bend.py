@@ -55,7 +55,8 @@ class Bend:
 
     def apply_lens_distortion(self, z: Place) -> Place:
         """The point where the lens images ``z``."""
-        d, out = z - self.middle, z - self.middle
+        d = z - self.middle
+        out = z - self.middle
         for _ in range(12):
             r2 = (abs(out) / self.half) ** 2
             out = d / (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
@@ -65,7 +66,8 @@ class Bend:
         """The displacement of a point of the rectified picture by the paper."""
         if self.sides is None:
             return 0 * z
-        u, v = z.real / self.size_px[0], z.imag / self.size_px[1]
+        u = z.real / self.size_px[0]
+        v = z.imag / self.size_px[1]
         steps = numpy.linspace(0, 1, self.sides.shape[1])
         shares = zip((v, v, u, u), self.sides, strict=True)
         left, right, upper, lower = (numpy.interp(share, steps, side) for share, side in shares)
@@ -105,7 +107,8 @@ def measure_distortion(grey: Greys, view: Array) -> Bend | None:
 def add_paper_distortion(bend: Bend, grey: Greys) -> None:
     """Adds to a lens the remaining distortion by the paper."""
     seen = _visible_frame_sides(grey, bend)
-    steps, rows = numpy.linspace(0, 1, 41), []
+    steps = numpy.linspace(0, 1, 41)
+    rows = []
     for (_, off), (a, b) in zip(seen, _frame_side_ends(), strict=True) if seen else ():
         upright = abs((b - a).real) < 1
         along = numpy.linspace(a, b, len(off))
@@ -118,11 +121,10 @@ def add_paper_distortion(bend: Bend, grey: Greys) -> None:
 def _frame_side_ends() -> list[tuple[complex, complex]]:
     """The frame's sides, mm, y up: left, right, upper, lower."""
     w, h = SHEET_MM
-    low, high = (
-        complex(FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM),
-        complex(w - FRAME_OTHER_SIDES_MM, h - FRAME_OTHER_SIDES_MM),
-    )
-    upper, lower = complex(low.real, high.imag), complex(high.real, low.imag)
+    low = complex(FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM)
+    high = complex(w - FRAME_OTHER_SIDES_MM, h - FRAME_OTHER_SIDES_MM)
+    upper = complex(low.real, high.imag)
+    lower = complex(high.real, low.imag)
     return [(low, upper), (lower, high), (upper, high), (low, lower)]
 
 
@@ -146,7 +148,9 @@ def _visible_frame_sides(grey: Greys, bend: Bend) -> list[tuple[Complexes, Array
         smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
         off = smooth(places.real + places.imag)
         out.append((px(places + across * off), off))
-    return out if max(float(abs(off).max()) for _, off in out) >= LEAST_BEND_MM else []
+    if max(float(abs(off).max()) for _, off in out) >= LEAST_BEND_MM:
+        return out
+    return []
 
 
 def _trace_dark_line(rows: Array) -> tuple[Array, Booleans]:
@@ -156,7 +160,8 @@ def _trace_dark_line(rows: Array) -> tuple[Array, Booleans]:
     padded = numpy.pad(rows, ((0, 0), (rim, rim)), mode="edge")
     paper = numpy.minimum(padded[:, :wide], padded[:, 2 * rim :])
     dark = numpy.clip(paper - rows, 0, 120)
-    best, back = dark[0].copy(), []
+    best = dark[0].copy()
+    back = []
     moves = range(-2, 3)
     for row in dark[1:]:
         wider = numpy.pad(best, 2, constant_values=-1e9)

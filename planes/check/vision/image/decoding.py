@@ -78,7 +78,8 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
         raise PlanesError(Phrase("check_empty", file=str(path)))
     paged = data.startswith((PDF_START, *TIFF_STARTS))
     with reporting_library_errors("check_picture", path), silenced_output():
-        decode, number = _render_pdf_page if data[:5] == PDF_START else _decode_picture, page if page and paged else 0
+        decode = _render_pdf_page if data[:5] == PDF_START else _decode_picture
+        number = page if page and paged else 0
         picture = decode(data, str(path), number)
     if picture is None:
         raise PlanesError(Phrase("check_picture", file=str(path)))
@@ -89,7 +90,9 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
         raise PlanesError(Phrase("check_no_paper", file=str(path)))
     if shows_text_only(picture.grey):
         raise PlanesError(Phrase("check_text_only", file=str(path)))
-    return picture if page is None or paged else _single_blank(picture, page, str(path))
+    if page is None or paged:
+        return picture
+    return _single_blank(picture, page, str(path))
 
 
 def _single_blank(picture: DecodedPicture, number: int, file: str) -> DecodedPicture:
@@ -98,7 +101,9 @@ def _single_blank(picture: DecodedPicture, number: int, file: str) -> DecodedPic
     _reject_missing_page(number, max(seen.sheet_count, 1), file)
     if seen.partial_sheet_mark_count and number == len(seen.sheets):
         raise PlanesError(Phrase("check_blank_in_part", count=seen.partial_sheet_mark_count))
-    return replace(picture, grey=isolate_sheet(picture.grey, seen.sheets[number])) if seen.sheet_count > 1 else picture
+    if seen.sheet_count > 1:
+        return replace(picture, grey=isolate_sheet(picture.grey, seen.sheets[number]))
+    return picture
 
 
 def _page_as_file(head: Image.Image) -> bytes:
@@ -112,7 +117,8 @@ def _decode_picture(data: bytes, file: str, page: int = 0) -> DecodedPicture | N
     """The pixels in grey, on white paper where transparent; None if the file is no complete picture."""
     see_through, head = _check_header(data, file, page)
     data = _page_as_file(head) if page else data
-    cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
+    cv2 = cv()
+    bits = numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG_START and PNG_END not in data[-64:]:
         return None  # it was truncated
     log_level = cv2.utils.logging.getLogLevel()
@@ -123,7 +129,9 @@ def _decode_picture(data: bytes, file: str, page: int = 0) -> DecodedPicture | N
         grey = decode_to_one_channel(cv2, bits) if pixels is None or solid else _on_white_paper(cv2, pixels)
     finally:
         cv2.utils.logging.setLogLevel(log_level)
-    return None if grey is None else DecodedPicture(grey, _px_per_mm_of_file(head), _focal_length_of_file(head))
+    if grey is None:
+        return None
+    return DecodedPicture(grey, _px_per_mm_of_file(head), _focal_length_of_file(head))
 
 
 def _check_header(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
@@ -156,7 +164,9 @@ def _px_per_mm_of_file(head: Image.Image) -> float | None:
     """The pixels per mm in a file; none from a camera (with an exposure), which does not know the paper."""
     across, down = (float(dpi) for dpi in head.info.get("dpi", (0, 0)))
     true = across > LEAST_FILE_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < LARGEST_PAPER_MM
-    return across / 25.4 if true and EXPOSURE_TAG not in head.getexif().get_ifd(EXIF_TAG) else None
+    if true and EXPOSURE_TAG not in head.getexif().get_ifd(EXIF_TAG):
+        return across / 25.4
+    return None
 
 
 def _focal_length_of_file(head: Image.Image) -> float | None:
@@ -164,7 +174,8 @@ def _focal_length_of_file(head: Image.Image) -> float | None:
 
     None for a cropped picture.
     """
-    exif, (long, short) = head.getexif().get_ifd(EXIF_TAG), sorted(head.size, reverse=True)
+    exif = head.getexif().get_ifd(EXIF_TAG)
+    long, short = sorted(head.size, reverse=True)
     try:
         film, size_told = (
             float(exif.get(FILM_FOCAL_LENGTH_TAG, 0)),
@@ -182,7 +193,8 @@ def _focal_length_of_file(head: Image.Image) -> float | None:
 
 def _on_white_paper(cv2: ModuleType, pixels: Greys) -> Greys:
     """A transparent picture on white paper in grey, some rows at a time."""
-    most, out = numpy.iinfo(pixels.dtype).max, numpy.empty(pixels.shape[:2], numpy.uint8)
+    most = numpy.iinfo(pixels.dtype).max
+    out = numpy.empty(pixels.shape[:2], numpy.uint8)
     for top in range(0, len(pixels), ROWS_AT_ONCE):
         rows = pixels[top : top + ROWS_AT_ONCE]
         cover = rows[..., 3].astype(numpy.float32) / most
@@ -239,7 +251,8 @@ def channel_without_grid(cv2: ModuleType, picture: Greys) -> Greys:
     """Grey, or the one of three colours in which a grid over the whole picture fades most and nothing else does."""
     middle = _central_part(picture)
     inked = _darkness_over_paper(cv2, cv2.cvtColor(middle, cv2.COLOR_BGR2GRAY))
-    best, most = None, 0.0
+    best = None
+    most = 0.0
     for k in range(3):
         ink = _darkness_over_paper(cv2, cv2.extractChannel(middle, k))
         faded = (inked > LEAST_GRID_DARKNESS) & (ink < 0.5 * inked)
@@ -249,7 +262,8 @@ def channel_without_grid(cv2: ModuleType, picture: Greys) -> Greys:
             and not 0 < lost < MOST_DRAWING_SHARE
             and float((inked - ink)[faded].sum()) > most
         ):
-            best, most = k, float((inked - ink)[faded].sum())
+            best = k
+            most = float((inked - ink)[faded].sum())
     grey: Greys = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) if best is None else cv2.extractChannel(picture, best)
     return grey
 
@@ -257,7 +271,8 @@ def channel_without_grid(cv2: ModuleType, picture: Greys) -> Greys:
 def _central_part(picture: Greys) -> Greys:
     """The central part of a picture."""
     h, w = picture.shape[:2]
-    high, wide = min(h, CENTRAL_PART_PX) // 2, min(w, CENTRAL_PART_PX) // 2
+    high = min(h, CENTRAL_PART_PX) // 2
+    wide = min(w, CENTRAL_PART_PX) // 2
     return picture[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
 
 

@@ -43,7 +43,8 @@ def rectify_by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
         )
         for n, w, h in sizes
     ]
-    named, likely = [f for f in fits if f[1] == paper], [f for f in fits if f[0] < FRAME_RATIO_TOLERANCES[askew]]
+    named = [f for f in fits if f[1] == paper]
+    likely = [f for f in fits if f[0] < FRAME_RATIO_TOLERANCES[askew]]
     for _, _, w, h in sorted(named)[:1] if paper is not None else sorted(likely):
         yield _sheet_from_above(grey, corners, (w, h))
 
@@ -77,7 +78,9 @@ def ordered_corners(quad: Array) -> Array:
 
 def _refined_corners(grey: Greys, quad: Array, reach: float) -> Array | None:
     """Corners at the intersections of the frame's line centres; None if a side is no line with paper on both sides."""
-    sides, t, ends = [], numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5), quad @ [1, 1j]
+    sides = []
+    t = numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5)
+    ends = quad @ [1, 1j]
     for a, b in zip(ends, numpy.roll(ends, -1), strict=True):
         across = 1j * (b - a) / abs(b - a)
         places = a + numpy.linspace(0.03, 0.97, 200) * (b - a)
@@ -113,7 +116,8 @@ def aspect_ratio_and_obliqueness(corners: Array, size_px: tuple[int, int]) -> tu
     middle = numpy.array([size_px[1] / 2, size_px[0] / 2])
     ll, lr, ur, ul = (numpy.append(c - middle, 1.0) for c in corners)
     k2, k3 = (det([ll, ur, one]) / det([two, ur, one]) for one, two in ((ul, lr), (lr, ul)))
-    n2, n3 = k2 * lr - ll, k3 * ul - ll
+    n2 = k2 * lr - ll
+    n3 = k3 * ul - ll
     lower, upper, left, right = (norm(a - b) for a, b in ((ll, lr), (ul, ur), (ll, ul), (lr, ur)))
     plain = float((lower + upper) / (left + right))
     if max(abs(k2 - 1), abs(k3 - 1)) < 0.003:
@@ -130,7 +134,8 @@ def _sheet_from_above(grey: Greys, corners: Array, size_mm: tuple[float, float])
     cv2 = cv()
     w, h = size_mm
     scale = min(PX_PER_MM, LARGEST_SIDE_PX / max(w, h))
-    right, top = w - FRAME_OTHER_SIDES_MM, h - FRAME_OTHER_SIDES_MM
+    right = w - FRAME_OTHER_SIDES_MM
+    top = h - FRAME_OTHER_SIDES_MM
     true = [(FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM), (right, FRAME_OTHER_SIDES_MM), (right, top), (FRAME_LEFT_MM, top)]
     goal = numpy.array([(x * scale, (h - y) * scale) for x, y in true], numpy.float32)
     warp = cv2.getPerspectiveTransform(corners.astype(numpy.float32), goal)

@@ -63,7 +63,8 @@ class Lens:
         view = levelled_view(self.middle, self.far, tilt)
         if view is None:
             return z
-        pole, mark = apply_homography(view, 0j), apply_homography(view, self.mark)
+        pole = apply_homography(view, 0j)
+        mark = apply_homography(view, self.mark)
         way = self.mark / (mark - pole)
         return (apply_homography(view, z) - pole) * (way if self.turned else abs(way))
 

@@ -62,7 +62,8 @@ def _rough_squares(small: Greys) -> Booleans:
     """Small squares with a large dark part that is not in lines."""
     cut = _cut_into_squares(small).astype(numpy.float32)
     light = numpy.percentile(cut, PAPER_LIGHT_PERCENTILE, axis=(1, 3), keepdims=True)
-    ink, spread = (cut < light - INK_GREY_DIFFERENCE).mean(axis=(1, 3)), cut.var(axis=(1, 3))
+    ink = (cut < light - INK_GREY_DIFFERENCE).mean(axis=(1, 3))
+    spread = cut.var(axis=(1, 3))
     ruled = cut.mean(axis=1).var(axis=2) + cut.mean(axis=3).var(axis=1)
     rough: Booleans = (spread > UNEVEN_GREY_SIGMA**2) & (ink > MOST_INK_SHARE) & (ruled < RULED_VARIANCE_SHARE * spread)
     return rough
@@ -76,7 +77,8 @@ def _cut_into_squares(small: Greys | Booleans) -> Greys | Booleans:
 
 def shows_text_only(grey: Greys) -> bool:
     """Whether letters cover a picture without a single line, however faint, that may belong to a drawing."""
-    cv2, small = cv(), reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0]
+    cv2 = cv()
+    small = reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0]
     paper = cv2.dilate(cv2.blur(small, (3, 3)), numpy.ones((SQUARE_PX, SQUARE_PX), numpy.uint8))
     dark = cv2.subtract(cv2.blur(paper, (SQUARE_PX, SQUARE_PX)), small)
     letters, drawn = (

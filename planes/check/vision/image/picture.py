@@ -111,8 +111,10 @@ def _detect_marks(grey: Greys, longest: int, least: float, marks: list[Found]) -
     """Adds the marks of a picture reduced to this size, with outlines of at least this share of its longer side."""
     aruco = cv().aruco
     parameters = aruco.DetectorParameters()
-    parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
-    parameters.adaptiveThreshWinSizeStep, parameters.minMarkerPerimeterRate = 20, least
+    parameters.adaptiveThreshWinSizeMin = 13
+    parameters.adaptiveThreshWinSizeMax = 53
+    parameters.adaptiveThreshWinSizeStep = 20
+    parameters.minMarkerPerimeterRate = least
     small, factor = reduce_to_longest_side(grey, longest)
     corners, numbers, _ = aruco.ArucoDetector(marker_dictionary(), parameters).detectMarkers(small)
     for quad, number in zip(corners, [] if numbers is None else numbers.ravel(), strict=False):
@@ -123,14 +125,18 @@ def _detect_marks(grey: Greys, longest: int, least: float, marks: list[Found]) -
 
 def isolate_sheet(grey: Greys, marks: Mapping[int, Array]) -> Greys:
     """One of several blanks, with these marks; the rest of the picture is painted as light as its paper."""
-    cv2, factor = cv(), reduce_to_longest_side(grey, LARGEST_SIDE_PX)[1]
-    seen, (w, h), rim = numpy.concatenate([*marks.values()]), SHEET_MM, SHEET_MARGIN_MM
+    cv2 = cv()
+    factor = reduce_to_longest_side(grey, LARGEST_SIDE_PX)[1]
+    seen = numpy.concatenate([*marks.values()])
+    w, h = SHEET_MM
+    rim = SHEET_MARGIN_MM
     there = numpy.array([(z.real, z.imag) for number in marks for z in _mark_corners_mm(number)])
     warp, _ = cv2.findHomography(there, seen / factor)
     outline = numpy.array([[(-rim, -rim), (w + rim, -rim), (w + rim, h + rim), (-rim, h + rim)]], float)
     quad = cv2.perspectiveTransform(outline, warp)[0]
     inside = cv2.fillPoly(numpy.zeros(grey.shape, numpy.uint8), [quad.round().astype(numpy.int32)], 1)
-    (left, top), (right, low) = quad.min(axis=0).clip(0).astype(int), quad.max(axis=0).astype(int)
+    left, top = quad.min(axis=0).clip(0).astype(int)
+    right, low = quad.max(axis=0).astype(int)
     part = slice(top, low), slice(left, right)
     return numpy.where(inside[part], grey[part], numpy.uint8(numpy.median(grey[inside > 0])))
 
@@ -192,7 +198,8 @@ def _rectify_distorted(grey: Greys, bend: Bend, seen: list[Array], true: list[tu
 
 def remap_picture(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
     """A distorted picture rectified (width, height)."""
-    cv2, (width, height) = cv(), size
+    cv2 = cv()
+    width, height = size
     cell = 16  # a map this smooth is interpolated between grid points
     across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in size)
     source = bend.to_original(across + 1j * down[:, None])
@@ -210,12 +217,14 @@ def is_plausible_scale(grey: Greys, scale: float) -> bool:
 
 def rectify_by_scale(grey: Greys, scale: float, pole: complex | None = None, askew_deg: float = 0.0) -> Flat:
     """The picture at this scale (pixels per mm), its rotation corrected; the pole, if named, becomes the origin."""
-    cv2, factor = cv(), PX_PER_MM / scale
+    cv2 = cv()
+    factor = PX_PER_MM / scale
     if not is_plausible_scale(grey, scale):
         raise PlanesError(Phrase("check_points"))
     how = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
     flat = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=how)
-    warp, at = numpy.diag([factor, factor, 1.0]), (pole or 0j) * factor
+    warp = numpy.diag([factor, factor, 1.0])
+    at = (pole or 0j) * factor
     if askew_deg:
         back = cv2.getRotationMatrix2D((at.real, at.imag), -askew_deg, 1.0)
         flat = cv2.warpAffine(flat, back, flat.shape[::-1], flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)

@@ -94,8 +94,10 @@ def _strongest_waves(dark: Array, near: Complexes | None) -> tuple[Complexes, Ar
     if near is not None:
         off = abs(across[None, None, :] + 1j * aslant[None, :, None] - near[:, None, None])
         power = numpy.where(off < MOST_RATE_DEVIATION / RULING_PERIOD_PX, power, 0.0)
-    n, best = numpy.arange(len(dark)), power.reshape(len(dark), -1).argmax(axis=1)
-    i, j = best // RATE_STEP_COUNT, best % RATE_STEP_COUNT
+    n = numpy.arange(len(dark))
+    best = power.reshape(len(dark), -1).argmax(axis=1)
+    i = best // RATE_STEP_COUNT
+    j = best % RATE_STEP_COUNT
     fx = across[j] + _peak_offset_in_steps(power, i, j, (0, 1)) * (across[1] - across[0])
     fy = aslant[i] + _peak_offset_in_steps(power, i, j, (1, 0)) * (aslant[1] - aslant[0])
     wx, wy = (numpy.exp(-2j * math.pi * f[:, None] * t).astype(numpy.complex64) for f in (fx, fy))
@@ -106,9 +108,13 @@ def _strongest_waves(dark: Array, near: Complexes | None) -> tuple[Complexes, Ar
 def _peak_offset_in_steps(power: Array, i: Array, j: Array, step: tuple[int, int]) -> Array:
     """The position of each window's peak between its neighbours, in steps: the vertex of a parabola."""
     di, dj = step
-    n, last = numpy.arange(len(power)), RATE_STEP_COUNT - 1
-    i, j = numpy.clip(i, di, last - di), numpy.clip(j, dj, last - dj)
-    a, b, c = power[n, i - di, j - dj], power[n, i, j], power[n, i + di, j + dj]
+    n = numpy.arange(len(power))
+    last = RATE_STEP_COUNT - 1
+    i = numpy.clip(i, di, last - di)
+    j = numpy.clip(j, dj, last - dj)
+    a = power[n, i - di, j - dj]
+    b = power[n, i, j]
+    c = power[n, i + di, j + dj]
     bend = numpy.minimum(a - 2 * b + c, -1e-9)
     top: Array = numpy.clip((a - c) / (2 * bend), -0.5, 0.5)
     return top
@@ -133,12 +139,14 @@ def _smooth_rates(middles: Complexes, rates: Complexes, clear: Array) -> Complex
 
 def _unwrapped_phases(middles: Complexes, rates: Complexes, clear: Array, phases: Array) -> Array:
     """Unwrapped phases, from the clearest window outwards, clear ones first."""
-    out, queue = numpy.full(len(middles), math.nan), [(0.0, int(clear.argmax()), -1)]
+    out = numpy.full(len(middles), math.nan)
+    queue = [(0.0, int(clear.argmax()), -1)]
     while queue:
         _, j, i = heapq.heappop(queue)
         if not math.isnan(out[j]):
             continue
-        way, rate = middles[j] - middles[i], (rates[i] + rates[j]) / 2
+        way = middles[j] - middles[i]
+        rate = (rates[i] + rates[j]) / 2
         likely = 0.0 if i < 0 else out[i] + rate.real * way.real + rate.imag * way.imag
         out[j] = likely + (phases[j] - likely + 0.5) % 1 - 0.5
         for k in numpy.flatnonzero((abs(middles - middles[j]) < 1.5 * WINDOW_STEP_PX) & numpy.isnan(out)):

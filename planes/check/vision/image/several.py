@@ -39,7 +39,8 @@ def group_marks_by_sheet(marks: Sequence[Found]) -> SheetsSeen:
     """Marks by their sheets."""
     if len({number for number, _ in marks}) == len(marks):
         return SheetsSeen([dict(marks)] if marks else [])
-    left, sheets = list(marks), list[dict[int, Array]]()
+    left = list(marks)
+    sheets = list[dict[int, Array]]()
     while left:
         beside = _marks_of_same_sheet(left[0], left[1:])
         sheets += [dict(beside)] if len(beside) >= LEAST_MARKS_PER_SHEET else []
@@ -79,7 +80,8 @@ def _marks_of_same_sheet(seed: Found, marks: Sequence[Found]) -> list[Found]:
 def _prediction_error_mm(seed: Found, other: Found) -> float:
     """The distance of a mark from the position predicted by another of its sheet, mm."""
     corners = seed[1] @ numpy.array([1, 1j])
-    right, up = (corners[[1, 2]] - corners[[0, 3]]).mean(), (corners[[0, 1]] - corners[[3, 2]]).mean()
+    right = (corners[[1, 2]] - corners[[0, 3]]).mean()
+    up = (corners[[0, 1]] - corners[[3, 2]]).mean()
     by = (corner_mark_centres(SHEET_MM)[other[0]] - corner_mark_centres(SHEET_MM)[seed[0]]) / MARK_SIDE_MM
     there = corners.mean() + by.real * right + by.imag * up
     seen = (other[1] @ numpy.array([1, 1j])).mean()

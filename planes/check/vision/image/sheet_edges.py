@@ -70,7 +70,8 @@ def _approximate_corners(grey: Greys) -> Complexes | None:
 
 def _largest_quadrilateral(inside: Greys) -> Array | None:
     """The corners of the largest area that does not touch the picture's border, if it has four."""
-    cv2, rim = cv(), numpy.array(inside.shape[::-1]) - 3
+    cv2 = cv()
+    rim = numpy.array(inside.shape[::-1]) - 3
     contours, _ = cv2.findContours(inside, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
     hulls = sorted((cv2.convexHull(c) for c in contours), key=cv2.contourArea)
     within = [h for h in hulls if (h > 1).all() and (h < rim).all()]
@@ -90,7 +91,9 @@ def _edge_points(grey: Greys, a: complex, b: complex) -> Complexes | None:
     rise = soft[:, 4:] - soft[:, :-4]
     best = rise.argmax(axis=1).clip(1, rise.shape[1] - 2)
     n = numpy.arange(PROFILES_PER_EDGE)
-    left, top, right = rise[n, best - 1], rise[n, best], rise[n, best + 1]
+    left = rise[n, best - 1]
+    top = rise[n, best]
+    right = rise[n, best + 1]
     at = best + (left - right) / (2 * numpy.minimum(left - 2 * top + right, -1e-3)) + 2
     edge = places[:, 0] + inwards * 0.5 * at
     edge = edge[top > LEAST_EDGE_GREY_STEP]

@@ -53,7 +53,9 @@ def sheet_view(grey: Greys, px_per_mm: float, scanned: bool, focal: float = PHON
     _, down = count_ruling_lines(grey, px_per_mm * LINE_SPACING_MM)
     if down and (view := _view_by_lines(grey, down, focal)):
         return view
-    return None if scanned else _view_by_edges(grey) or _view_by_text(grey, focal)
+    if scanned:
+        return None
+    return _view_by_edges(grey) or _view_by_text(grey, focal)
 
 
 def _view_by_squares(grey: Greys, across: Wave, down: Wave) -> SheetView | None:
@@ -62,7 +64,8 @@ def _view_by_squares(grey: Greys, across: Wave, down: Wave) -> SheetView | None:
     if clear.sum() < LEAST_CLEAR_WINDOWS:
         return None
     seen, true = across.places[clear], numpy.empty(int(clear.sum()), numpy.complex128)
-    true.real, true.imag = SQUARE_SIDE_MM * across.counts[clear], SQUARE_SIDE_MM * down.counts[clear]
+    true.real = SQUARE_SIDE_MM * across.counts[clear]
+    true.imag = SQUARE_SIDE_MM * down.counts[clear]
     warp, agree = cv().findHomography(pairs(seen), pairs(true), cv().RANSAC, LINE_COUNT_TOLERANCE * SQUARE_SIDE_MM)
     good = agree.ravel() > 0
     if warp is None or good.sum() < max(LEAST_CLEAR_WINDOWS, LEAST_AGREEING_SHARE * len(good)):
@@ -89,7 +92,8 @@ def _view_by_lines(grey: Greys, down: Wave, focal: float) -> SheetView | None:
         return float(numpy.minimum(abs(off), LINE_COUNT_TOLERANCE).mean()), tilt, off
 
     _, tilt, off, bend.lens = min(((*horizon(k), (k, 0.0)) for k in LENS_DISTORTIONS.tolist()), key=lambda one: one[0])
-    good, plain = abs(off) < LINE_COUNT_TOLERANCE, levelled_view(bend.middle, focal * unit, tilt * focal)
+    good = abs(off) < LINE_COUNT_TOLERANCE
+    plain = levelled_view(bend.middle, focal * unit, tilt * focal)
     if plain is None or good.sum() < max(LEAST_CLEAR_WINDOWS, LEAST_AGREEING_SHARE * len(good)):
         return None
     there = apply_homography(plain, bend.remove_lens_distortion(seen[good]))
@@ -105,7 +109,10 @@ def _fit_horizon(places: Complexes, counts: Array) -> tuple[complex, Array]:
 
     The result is its slopes (with 1 in the picture's middle), and the residual of each count.
     """
-    x, y, one, weight = places.real, places.imag, numpy.ones(len(places)), numpy.ones(len(places))
+    x = places.real
+    y = places.imag
+    one = numpy.ones(len(places))
+    weight = numpy.ones(len(places))
     for _ in range(12):
         rows = numpy.stack([x, y, one, -counts * x, -counts * y], axis=1) * weight[:, None]
         a, b, c, d, e = numpy.linalg.lstsq(rows, counts * weight, rcond=None)[0].tolist()
@@ -149,7 +156,8 @@ def _view_by_text(grey: Greys, focal: float) -> SheetView | None:
 
 def view_by_tilt(grey: Greys, held: CameraTilt, focal: float, by: str = "plan") -> SheetView | None:
     """The view of a camera with this tilt (slopes to the right and down), without scale, its rotation corrected."""
-    bend, back = Bend.lens_centred_on(grey.shape), cmath.rect(1, -held.turn)
+    bend = Bend.lens_centred_on(grey.shape)
+    back = cmath.rect(1, -held.turn)
     plain = levelled_view(bend.middle, focal * max(grey.shape), held.slopes * back.conjugate())
     if plain is None:
         return None

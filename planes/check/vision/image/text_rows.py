@@ -78,7 +78,8 @@ def find_text_rows(grey: Greys) -> LetterRows | None:
     z = (columns + 1j * rows_of_ink) * numpy.exp(-1j * way)
     order = numpy.argsort(label, kind="stable")
     starts = numpy.searchsorted(label[order], numpy.arange(len(boxes)))
-    s, t = z.real[order], z.imag[order]
+    s = z.real[order]
+    t = z.imag[order]
     low, high = (f.reduceat(t, starts) for f in (numpy.minimum, numpy.maximum))
     left, right = (f.reduceat(s, starts) for f in (numpy.minimum, numpy.maximum))
     rows = _chain_rows(left, right, low, high, way)
@@ -102,7 +103,9 @@ def _letter_components(small: Greys) -> tuple[Indices, Indices]:
     dark = cv2.subtract(cv2.resize(light, small.shape[::-1]), cv2.GaussianBlur(small, (3, 3), 0))
     least = max(LEAST_INK_GREY_DIFFERENCE, LEAST_INK_DARKNESS_SHARE * float(numpy.percentile(dark[::4, ::4], 99.7)))
     labels, parts = connected_components(dark > least)
-    w, h, area = parts[:, 2], parts[:, 3], parts[:, 4]
+    w = parts[:, 2]
+    h = parts[:, 3]
+    area = parts[:, 4]
     tall = numpy.maximum(w, h)
     good = (
         (tall >= LETTER_HEIGHT_RANGE_PX[0])
@@ -140,7 +143,8 @@ def _row_direction(boxes: Indices) -> float | None:
 
 def _chain_rows(left: Array, right: Array, low: Array, high: Array, way: float) -> list[TextRow]:
     """Letters chained from neighbour to neighbour, and their baselines."""
-    tall, t = high - low + 1, (low + high) / 2
+    tall = high - low + 1
+    t = (low + high) / 2
     usual = numpy.maximum(tall, numpy.median(tall))
     gap = left - right[:, None]
     down = t - t[:, None]
@@ -151,7 +155,8 @@ def _chain_rows(left: Array, right: Array, low: Array, high: Array, way: float) 
     fits &= letter & letter[:, None]
     fits &= (tall < MOST_HEIGHT_RATIO * tall[:, None]) & (tall[:, None] < MOST_HEIGHT_RATIO * tall)
     cost = numpy.where(fits, numpy.maximum(gap, 0) + 2 * abs(down), numpy.inf)
-    after, before = cost.argmin(axis=1), cost.argmin(axis=0)
+    after = cost.argmin(axis=1)
+    before = cost.argmin(axis=0)
     n = numpy.arange(len(s))
     linked = numpy.isfinite(cost[n, after]) & (before[after] == n)
     first = numpy.setdiff1d(n, after[linked])
@@ -167,13 +172,17 @@ def _chain_rows(left: Array, right: Array, low: Array, high: Array, way: float) 
 
 def _fit_baseline(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> TextRow | None:
     """The baseline of most letters of a chain; None if too few fit."""
-    x, y, height = s[chain], feet[chain], float(numpy.median(tall[chain]))
+    x = s[chain]
+    y = feet[chain]
+    height = float(numpy.median(tall[chain]))
     i, j = numpy.triu_indices(len(x), 1)
     far = x[j] - x[i] > 0.4 * numpy.ptp(x)
-    i, j = i[far], j[far]
+    i = i[far]
+    j = j[far]
     slopes = (y[j] - y[i]) / (x[j] - x[i])
     if len(i) > 400:
-        slopes, i = slopes[:: len(i) // 400], i[:: len(i) // 400]
+        slopes = slopes[:: len(i) // 400]
+        i = i[:: len(i) // 400]
     rest = y - slopes[:, None] * (x - x[i][:, None]) - y[i][:, None]
     best = int((abs(rest) < BASELINE_TOLERANCE_RATIO * height).sum(axis=1).argmax())
     near = abs(rest[best]) < BASELINE_TOLERANCE_RATIO * height

@@ -69,9 +69,12 @@ class _TextSight:
     """
 
     def __init__(self, text: LetterRows, middle: complex, far: float) -> None:
-        self.text, self.middle, self.far = text, middle, far
+        self.text = text
+        self.middle = middle
+        self.far = far
         of_rows = _block_numbers_of_rows(text)
-        self.blocks, self.row_count = of_rows[text.row_numbers], numpy.bincount(of_rows)[of_rows]
+        self.blocks = of_rows[text.row_numbers]
+        self.row_count = numpy.bincount(of_rows)[of_rows]
         self.places = numpy.array([r.place for r in text.rows])
         self.ways = numpy.array([r.angle for r in text.rows])
         self.errors = numpy.array([ROW_SIGMA_FACTOR * r.error for r in text.rows])
@@ -82,7 +85,8 @@ class _TextSight:
 
     def likeliest_tilt(self) -> CameraTilt:
         """The likeliest tilt (Gauss-Newton, with distant cues weighted less), and its accuracy."""
-        tilt, held = 0j, numpy.eye(2) / PHONE_TILT_SIGMA**2
+        tilt = 0j
+        held = numpy.eye(2) / PHONE_TILT_SIGMA**2
         for _ in range(FIT_ROUNDS):
             cues, hand = self.tilt_cues(tilt)
             known = sum((c.slopes.T * c.weights) @ c.slopes for c in cues) + held
@@ -96,15 +100,12 @@ class _TextSight:
 
     def row_direction(self, tilt: complex, hand: float) -> float:
         """The direction of rows on the sheet as seen; 0 if it may be due to the writer."""
-        ways, weights = _angles_after_view(self.view_from_above(tilt), self.places, self.ways), self._row_weights(hand)
+        ways = _angles_after_view(self.view_from_above(tilt), self.places, self.ways)
+        weights = self._row_weights(hand)
         turn = float((ways * weights).sum() / weights.sum())
-        return (
-            turn
-            if 3 * math.hypot(PRINTED_ROW_SIGMA_RAD, hand * HANDWRITTEN_BLOCK_SIGMA_RAD)
-            < abs(turn)
-            < MOST_SHEET_TURN_RAD
-            else 0.0
-        )
+        if 3 * math.hypot(PRINTED_ROW_SIGMA_RAD, hand * HANDWRITTEN_BLOCK_SIGMA_RAD) < abs(turn) < MOST_SHEET_TURN_RAD:
+            return turn
+        return 0.0
 
     def tilt_cues(self, tilt: complex) -> tuple[list[_Cue], float]:
         """The cues of rows, slants and heights for a tilt, and the degree to which they are handwritten (0 to 1)."""
@@ -128,7 +129,8 @@ class _TextSight:
         size = max(LEAST_LOG_HEIGHT_SIGMA, _weighted_sigma(off, usual)) * (1 + 2 * hand)
         self.slants = _group_means(slants, drawn, self.blocks)
         self.sizes = self.sizes + _group_means(off, usual, self.blocks)
-        one, blocks = numpy.zeros(len(self.places), int), self.blocks
+        one = numpy.zeros(len(self.places), int)
+        blocks = self.blocks
         return [
             _tilt_cue(
                 lambda v: _angles_after_view(v, self.places, self.ways), view, near, self._row_weights(hand), one
@@ -204,11 +206,9 @@ def _log_magnifications(view: Array, z: Complexes, angle: Array) -> Array:
 
 def _usual_slant(text: LetterRows, mine: Array) -> float:
     """The most frequent direction of some stroke edges."""
-    return (
-        _approximate_mode(text.angles[mine], SLANT_KERNEL_RAD / 2, text.weights[mine])
-        if mine.any()
-        else text.way + math.pi / 2
-    )
+    if mine.any():
+        return _approximate_mode(text.angles[mine], SLANT_KERNEL_RAD / 2, text.weights[mine])
+    return text.way + math.pi / 2
 
 
 def _approximate_mode(values: Array, wide: float, weights: Array | None = None) -> float:
@@ -221,7 +221,8 @@ def _approximate_mode(values: Array, wide: float, weights: Array | None = None) 
 
 def _stroke_rotations(text: LetterRows, upright: Array) -> tuple[Array, Array]:
     """The rotation of each letter's strokes from their expected direction, and its weight."""
-    off, count = text.angles - upright[text.of], len(text.places)
+    off = text.angles - upright[text.of]
+    count = len(text.places)
     near = text.weights * numpy.exp(-0.5 * (off / SLANT_KERNEL_RAD) ** 2)
     total = numpy.bincount(text.of, near, count)
     turned = numpy.bincount(text.of, near * off, count) / (total + 1e-9)

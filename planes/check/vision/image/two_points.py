@@ -61,11 +61,14 @@ def rectify_by_two_points(
     askew = 0.0 if short else _sheet_rotation_deg(drawn, vector, paper)
     flat = _sheet_from_above(grey, view, pole, scale, askew) if view else rectify_by_scale(grey, scale, pole, askew)
     flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if askew else []
-    flat.told, flat.by_file, flat.by_paper = (name, abs(vector)), by_file, paper is not None and not askew
+    flat.told = (name, abs(vector))
+    flat.by_file = by_file
+    flat.by_paper = paper is not None and not askew
     flat.aslant = PAPER_REFERENCE_ERRORS[paper] if paper else 0.0
     if not paper and file_scale is None and not short:
         height, width = grey.shape
-        far, known = focal * max(width, height) / scale, view.held.mirrored() if view else UNKNOWN_TILT
+        far = focal * max(width, height) / scale
+        known = view.held.mirrored() if view else UNKNOWN_TILT
         flat.lens = Lens(
             flat.sheet_point_of_pixel(complex(width, height) / 2),
             far,
@@ -94,7 +97,9 @@ def _sheet_rotation_deg(drawn: complex, vector: complex, paper: str | None) -> f
     """
     askew = math.degrees(cmath.phase(drawn.conjugate() / vector))
     least = math.degrees(MOST_DRAWING_ERROR_MM / abs(vector)) if paper else LEAST_ASKEW_DEG
-    return askew if paper not in REFERENCES_DRAWN_ALONG and least < abs(askew) < MOST_ASKEW_DEG else 0.0
+    if paper not in REFERENCES_DRAWN_ALONG and least < abs(askew) < MOST_ASKEW_DEG:
+        return askew
+    return 0.0
 
 
 def _sheet_from_above(grey: Greys, view: SheetView, pole: complex, scale: float, askew_deg: float) -> Flat:
@@ -120,7 +125,9 @@ def _sheet_from_above(grey: Greys, view: SheetView, pole: complex, scale: float,
 def _content_box(grey: Greys, bend: Bend, pole: complex) -> tuple[complex, complex]:
     """The box of a picture's content on its sheet, pixels of the rectified one, limited to a sheet around the pole."""
     height, width = grey.shape
-    share, far = numpy.linspace(0, 1, 9), MOST_DISTANCE_FROM_POLE_MM * PX_PER_MM
+    share = numpy.linspace(0, 1, 9)
+    far = MOST_DISTANCE_FROM_POLE_MM * PX_PER_MM
     seen = bend.to_rectified(width * share[:, None] + 1j * height * share)
-    xs, ys = seen.real.clip(pole.real - far, pole.real + far), seen.imag.clip(pole.imag - far, pole.imag + far)
+    xs = seen.real.clip(pole.real - far, pole.real + far)
+    ys = seen.imag.clip(pole.imag - far, pole.imag + far)
     return complex(xs.min(), ys.min()), complex(xs.max(), ys.max())
