@@ -261,7 +261,7 @@ def test_what_is_said_for_sure_is_true() -> None:
                 said += 1
                 true += (found.verdict == "wrong") == (mistake is not None)
     print("said for sure", said, "true", true)
-    assert said > 100 and true >= 0.99 * said
+    assert said > 100 and true >= SURE_VERDICT_PROBABILITY * said
 
 
 @pytest.mark.parametrize("lang", ["ru", "en", "uk", "be"])

@@ -7,6 +7,7 @@ be slightly off its constructed point, and the steps after it continue from ther
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy
 
@@ -293,11 +294,21 @@ class Scorer:
         return said
 
     def point_symbol_scores(self, drawn: Complexes, roughly: bool = False) -> Array:
-        """The score of the symbols of points at the marks of each row of a scheme, or near them."""
+        """The score of the symbols of points at the marks of each row of a scheme, or near them. A symbol shows one of
+        the marks that lie there, unless they coincide in the right plan."""
         if self.plan.kind != "position":
             return numpy.zeros(len(drawn))
-        said = self.ink.point_evidence(drawn[:, : len(self.plan.labels)] + self.pole, roughly)
-        return numpy.asarray(w.HEAD_EVIDENCE_WEIGHT * said.sum(axis=1))
+        places = drawn[:, : len(self.plan.labels)]
+        said = self.ink.point_evidence(places + self.pole, roughly)
+        near = abs(places[:, :, None] - places[:, None]) < w.SAME_SYMBOL_MM
+        shared = (near & self._separate_points).any(axis=2)
+        return numpy.asarray(w.HEAD_EVIDENCE_WEIGHT * numpy.where(shared, numpy.minimum(said, 0.0), said).sum(axis=1))
+
+    @cached_property
+    def _separate_points(self) -> Booleans:
+        """Which marks before each one lie apart from it in the right plan."""
+        true = numpy.array([self.plan.true[n] for n in self.plan.labels])
+        return numpy.asarray(numpy.tril(abs(true[:, None] - true) > w.SAME_SYMBOL_MM))
 
     def full_scores(self, h: Hypothesis, drawn: Complexes, roughly: bool = False) -> tuple[Array, Array, Array]:
         """The full score of each row, the share of its needed lines found, and the ink left over, mm."""

@@ -1,7 +1,7 @@
 """All weights of the search in one place: natural logarithms of odds, except lengths.
 
 They were set by hand on pictures of right plans and of mistakes of any size, and compared with a logistic regression on
-340 of these; they are not fitted to it, and the odds are not calibrated.
+340 of these; they are not fitted to it. How often verdicts held is counted in docs/checking.md.
 """
 
 # per mm of a line missing; found, where stray ink is not weighed
@@ -13,6 +13,7 @@ MOST_INK_BESIDE_SCHEME_MM = 100.0
 HEAD_EVIDENCE_WEIGHT = 1.2  # per unit of evidence for a head at the end of a line
 # of a vector that shows no head, where more show theirs: so do 7 of 1453 with one, 140 of 241 without
 HEADLESS_VECTOR_COST = 4.7
+SAME_SYMBOL_MM = 1.5  # marks nearer to each other have one circle or dot
 DRAWING_ERROR_WEIGHT = 0.2  # per squared distance of a mark from its constructed point, in σ
 DRAWING_SIGMA_MM, DRAWING_SIGMA_PER_MM = 0.35, 0.004  # that σ: constant part, and part per distance from the pole
 HYPOTHESIS_COSTS = {"right": 0.0, "catalogue": 4.0, "length": 6.0, "turned": 6.0, "anywhere": 8.0, "whole": 6.0}

@@ -132,7 +132,8 @@ def _ambiguous_marks(seen: Explanation, ink: LineInk) -> set[str]:
     likely = (
         one
         for one in seen.laid
-        if one.places and seen.likeliest_drawing.score_without_prior - one.score_without_prior < w.LEAST_EVIDENCE_GAP
+        if one.places
+        and seen.likeliest_drawing.score_without_mistake - one.score_without_mistake < w.LEAST_EVIDENCE_GAP
     )
     for other in (*others, *likely):
         there = {n: other.places[n] + seen.pole for n in plan.labels}
