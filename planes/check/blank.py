@@ -14,7 +14,7 @@ def plan_fitting_blank(bench: PreparedPlan) -> PreparedPlan:
 
     A plan of motion has its pole in the middle of the sheet, so that it leaves room in every direction.
     """
-    plan = bench.asked.plan
+    plan = bench.plan
     if bench.asked.mu:
         return bench
     if plan_kind(plan) not in ("position", "force"):

@@ -22,7 +22,7 @@ from planes.plans.quantities import quantities_by_name
 from planes.words import Phrase, Written, sentences_with_prefix
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE_LABEL, label_of, plan_kind
+from planes.words.names import POLE_LABEL, label_of
 from planes.words.records import Described
 
 # a mark at this distance, and half its length, from the constructed point is not called right if errors may be as large
@@ -161,7 +161,7 @@ class Outcome(Described):
     def right_sentence(self, left: tuple[Phrase, ...]) -> Phrase:
         """The sentence for a right drawing, or for right results alone; ``left`` lists what is not judged."""
         key = "check_right_as_seen" if left else "check_right_results" if self.has_only_results else "check_right"
-        what = Phrase("check_results") if self.has_only_results else plan_phrase(self.bench.asked.plan)
+        what = Phrase("check_results") if self.has_only_results else plan_phrase(self.bench.plan)
         return Phrase(key, plan=what, left=left)
 
 
@@ -239,7 +239,7 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     if g is None or g.said_mu:
         return []
     mu_text = bench.written_scale(float(f"{g.mu:.3g}"))
-    said = bench.asked.scene.mu.get(plan_kind(bench.asked.plan))
+    said = bench.asked.scene.mu.get(bench.kind)
     return [
         Phrase("check_mu", mu=mu_text, said=bench.written_scale(said)) if said else Phrase("check_mu_found", mu=mu_text)
     ]

@@ -10,11 +10,12 @@ from collections.abc import Iterable, Mapping
 
 import numpy
 
-from planes.check.grading.handwork import Hand, Miss
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.handwork import Hand, Miss, Misses
+from planes.check.grading.paper import ReadMarks
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
-from planes.words.names import POLE_LABEL, full_mark_name, plan_kind
+from planes.geometry.plane import distance_to_nearest
+from planes.words.names import POLE_LABEL, full_mark_name
 
 MOST_CHANCE_OF_RANDOM_MARKS = 0.02  # acceptable probability that random marks pass: one vector of 50 mm at a free scale
 MOST_CHANCE_OF_RANDOM_LENGTHS = 0.05  # the same for lengths, each of which carries half the evidence of a mark
@@ -35,9 +36,7 @@ def marks_extent_mm(hand: Hand, marks: Iterable[str]) -> float:
     return max((abs(hand.taken[m].place) for m in marks if m in hand.taken), default=0.0)
 
 
-def chance_of_random_marks(
-    hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap_mm: float | None = None
-) -> float:
+def chance_of_random_marks(hand: Hand, misses: Misses, limit: float, free: bool, gap_mm: float | None = None) -> float:
     """The probability that random marks on a drawing of this size are as right; ``free``: the scale is free, too.
 
     A mark that coincides with another (or the pole) is no separate evidence; a polygon that closes within ``gap_mm``
@@ -49,7 +48,7 @@ def chance_of_random_marks(
     for mark, miss in misses.items():
         place = hand.taken[mark].place
         reach = limit * miss.mean_sigma_mm
-        if not isinstance(hand.program.steps_by_result[mark], Same) and all(abs(place - z) > reach for z in stand):
+        if not isinstance(hand.program.steps_by_result[mark], Same) and distance_to_nearest(place, stand) > reach:
             shares.append(min(reach / size, 1.0) ** 2)
         stand.append(place)
     if not free or not shares:
@@ -64,7 +63,7 @@ def chance_of_random_lengths(shares: Iterable[float], free: bool) -> float:
     return math.prod(chances) / (min(chances) if free else 1.0)
 
 
-def candidate_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
+def candidate_scales(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float, float]]:
     """Candidate scales (mm per unit) with their relative errors: the stated one first.
 
     Then the scale on which most vectors agree, taken from the most accurate of them.
@@ -85,11 +84,11 @@ def candidate_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list
     return scales[:MOST_CANDIDATE_SCALES]
 
 
-def _drawn_to_true_ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
+def _drawn_to_true_ratios(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float, float]]:
     """Ratios of drawn to true lengths with their errors: of the vectors in a force plan, else from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    force = plan_kind(bench.asked.plan) == "force"
-    pole = full_mark_name(bench.asked.plan, POLE_LABEL)
+    force = bench.kind == "force"
+    pole = full_mark_name(bench.plan, POLE_LABEL)
     ratios = []
     for mark in bench.marks:
         step = bench.program.steps_by_result[mark]
@@ -134,7 +133,7 @@ def any_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     )
 
 
-def log_prob_no_slips(misses: Mapping[str, Miss], broad: float, doubts: Mapping[str, float]) -> float:
+def log_prob_no_slips(misses: Misses, broad: float, doubts: Mapping[str, float]) -> float:
     """Logarithm of the probability that none of the marks slipped."""
     return sum(
         right_mark_log_density(m, broad, doubts[n])

@@ -99,7 +99,7 @@ def quantity_figure(name: str, q: Quantity, value: float) -> WrittenNumber:
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
-    plan = bench.asked.plan
+    plan = bench.plan
     labels = [label_of(m) for m in bench.marks]
     ends = [
         n for n in (POLE_LABEL, *labels) if full_mark_name(plan, n) in bench.program.result_names

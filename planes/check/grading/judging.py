@@ -24,7 +24,7 @@ from planes.check.grading.evidence import (
     misread_log_density,
     right_mark_log_density,
 )
-from planes.check.grading.handwork import LEAST_MARK_ERROR_MM, Hand, Miss
+from planes.check.grading.handwork import LEAST_MARK_ERROR_MM, Hand, Miss, Misses
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
@@ -47,12 +47,12 @@ class Judgement:
     """The findings: misses of every mark, the wrong ones in order of drawing, and the explanation of the first."""
 
     limit: float
-    misses: dict[str, Miss]
+    misses: Misses
     wrong: list[str] = field(default_factory=list)
     named: Variant | None = None
     runner_up: Variant | None = None
     as_well: Variant | None = None  # for marks within limits, the mistake that explains them as well as a drawing error
-    explained: Mapping[str, Miss] = field(default_factory=dict)  # misses of marks under the mistake
+    explained: Misses = field(default_factory=dict)  # misses of marks under the mistake
     score: float = 0.0  # log likelihood of the drawing, with the named mistake or without any
     chance_wrong: float = 0.0  # probability that some mark is wrong
     cause: float = 1.0  # probability of the named mistake among all causes, once a mark is wrong
@@ -104,7 +104,7 @@ class ScoredHypothesis:
 
     score: float
     variant: Variant
-    under: Mapping[str, Miss]
+    under: Misses
 
 
 class _Weighing:
@@ -145,7 +145,7 @@ class _Weighing:
                 every.append(-0.5 * (off**2 / spread + math.log(2 * math.pi * spread) - self.broad))
         return float(numpy.logaddexp.reduce(every)) - math.log(len(every))
 
-    def log_likelihood_gain(self, misses: Mapping[str, Miss]) -> float:
+    def log_likelihood_gain(self, misses: Misses) -> float:
         """The log likelihood ratio of misses to those of the original steps."""
         return sum(
             self.mark_log_density(m, miss) - self.mark_log_density(m, self.misses[m]) for m, miss in misses.items()
@@ -193,7 +193,7 @@ class _Weighing:
             scored.append(ScoredHypothesis(score, variant, under))
         return _best_variant_per_mistake(scored)
 
-    def _is_visible_mistake(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
+    def _is_visible_mistake(self, variant: Variant, touched: Misses) -> bool:
         """Whether a mistake moves its mark beyond the drawing error, given the others (if unread: moves some mark).
 
         A mark left out shows by its absence.
@@ -247,7 +247,7 @@ def mark_verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[s
     return out
 
 
-def misses_given_earlier(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
+def misses_given_earlier(misses: Misses, order: Sequence[str], limit: float) -> Misses:
     """Every miss given those before it; a mark off by more than ``limit`` σ is no evidence about others."""
     names = [m for m in order if m in misses]
     if not names:

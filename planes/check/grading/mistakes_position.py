@@ -2,11 +2,11 @@
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import MarkPlaces, ReadMarks
 from planes.check.grading.plan_steps import PlanSteps
-from planes.check.grading.variants import Variant
+from planes.check.grading.variants import Variant, Variants
 from planes.drafting.drawing import draw_program
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
@@ -23,7 +23,7 @@ LEAST_GUIDE_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes throug
 LEAST_LINK_SCALE_ERROR = 0.04  # a smaller error of a link's length is inaccuracy, not scale
 
 
-def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
+def position_variants(w: PlanSteps, taken: ReadMarks, mu: float) -> Variants:
     """Mistakes of a position plan; the person's own marks show the scale at which a link may have been drawn."""
     yield from _driver_angle_mistakes(w)
     for name, value in w.plans.given.items():
@@ -42,7 +42,7 @@ def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) ->
         yield from _link_scale_mistakes(w, step, taken, mu)
 
 
-def _guide_through_pivot_mistakes(w: PlanSteps) -> Iterator[Variant]:
+def _guide_through_pivot_mistakes(w: PlanSteps) -> Variants:
     """A guide of the frame drawn through the driver's pivot, its offset ignored."""
     mechanism = w.plans.mechanism
     driver = mechanism.links[mechanism.drive.link].points if w.plans.has_mechanism else ()
@@ -55,7 +55,7 @@ def _guide_through_pivot_mistakes(w: PlanSteps) -> Iterator[Variant]:
             )
 
 
-def _other_class_iii_assemblies(w: PlanSteps) -> Iterator[Variant]:
+def _other_class_iii_assemblies(w: PlanSteps) -> Variants:
     """Another assembly of a class III group: its basic link elsewhere on the same three leads."""
     cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
     for holds, cut in cuts.items():
@@ -97,7 +97,7 @@ def _misses_point(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:
     return abs(off.imag) > LEAST_GUIDE_OFFSET * max(abs(complex(w.plans.given[place])), 1e-9)
 
 
-def _driver_angle_mistakes(w: PlanSteps) -> Iterator[Variant]:
+def _driver_angle_mistakes(w: PlanSteps) -> Variants:
     """φ measured from the wrong axis or in the wrong sense."""
     given = w.plans.drive_given_name
     if w.plans.mechanism.drive.kind != "phi":
@@ -113,17 +113,17 @@ def _variant_of_changed_givens(
     w: PlanSteps,
     mistake: str,
     users: Sequence[Step],
-    givens: Mapping[str, complex],
+    givens: MarkPlaces,
     weight: float = 1.0,
     about: Mapping[str, Told | Written] | None = None,
-) -> Iterator[Variant]:
+) -> Variants:
     """A variant blamed at the first mark of the plan that depends on the changed givens."""
     touched = w.program.steps_to_redraw((), instead={u.makes for u in users})
     for step in [step for step in touched if step.kind == "mark" and not step.is_auxiliary_mark][:1]:
         yield Variant(mistake, label_of(step.makes), {}, dict(givens), weight, about or {})
 
 
-def _link_scale_mistakes(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
+def _link_scale_mistakes(w: PlanSteps, step: Step, taken: ReadMarks, mu: float) -> Variants:
     """A length drawn at another scale, the one shown by the person's own mark."""
     own = taken.get(step.makes)
     label = label_of(step.makes)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from planes.check.grading.sign_faults import SignFault
 from planes.check.reading.opened import MB, read_bounded_bytes, too_many_error
+from planes.check.reading.written import Stroke
 from planes.words import Phrase, available_languages, say
 from planes.words.errors import PlanesError, quoted_excerpt
 from planes.words.frozen import frozen
@@ -29,6 +30,7 @@ LARGEST_TABLE_BYTES = 2 * MB
 MOST_ROWS = 2000  # rows
 LARGEST_COORDINATE_MM = 10_000.0  # no sheet is larger
 POINTED_MARK_ERROR_MM = 0.3  # accuracy of a mark pointed to by a person
+MarkPlaces = dict[str, complex]  # by label, or by name
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the pole
 
 
@@ -52,7 +54,10 @@ class ReadMark:
         return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
-def with_pointed_marks(spots: Iterable[ReadMark], pointed: Mapping[str, complex]) -> list[ReadMark]:
+ReadMarks = dict[str, ReadMark]  # by label, or by name
+
+
+def with_pointed_marks(spots: Iterable[ReadMark], pointed: MarkPlaces) -> list[ReadMark]:
     """The marks read, with those pointed to by a person, which are certain, in place of their readings."""
     read = [s for s in spots if s.name not in pointed]
     return [*read, *(ReadMark(n, z, POINTED_MARK_ERROR_MM) for n, z in pointed.items())]
@@ -63,7 +68,7 @@ class Known:
     """Given data of a drawing: its pole, some marks (pixels or drawing units; y down), frame size, page (from 0)."""
 
     pole: complex | None = None
-    marks: Mapping[str, complex] = field(default_factory=dict)
+    marks: MarkPlaces = field(default_factory=dict)
     format: str | None = None
     page: int | None = None
 
@@ -83,7 +88,7 @@ class ReadPaper:
     picture: bytes = b""  # the rectified picture, for the report
     box: Box | None = None  # its position
     look: str = ""  # hash of its content
-    strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a vector drawing, from the pole
+    strokes: list[Stroke] = field(default_factory=list)  # lines of a vector drawing, from the pole
     signs: list[SignFault] = field(default_factory=list)  # wrong letters and arrowheads
     left: list[str] = field(default_factory=list)  # ignored columns of a table, vectors not drawn
     untold: list[str] = field(default_factory=list)  # vectors that, with a mistake, may be others

@@ -83,7 +83,7 @@ def doubtful_marks_question(grading: Grading) -> Phrase | None:
 def other_plan_message(bench: PreparedPlan, paper: ReadPaper) -> Phrase | None:
     """The message that a table is of another plan: all its mark names belong there, and not here."""
     written = [s.name for s in paper.spots]
-    plan = bench.asked.plan
+    plan = bench.plan
     if paper.picture or all(map(bench.written_mark_names.find_exact_name, written)):
         return None
     others = (other for other in known_plans(bench.plans) if plan_kind(other) != plan_kind(plan))

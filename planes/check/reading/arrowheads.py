@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, continues_straight
-from planes.check.reading.written import Stroke, Strokes
+from planes.check.reading.written import Stroke, Strokes, vector_of
 from planes.geometry.plane import bounding_corners as box_of
-from planes.geometry.plane import direction_between, greatest_distance
+from planes.geometry.plane import direction_between, distance_to_nearest, greatest_distance
 
 LARGEST_HEAD_MM = 8.0  # maximum size of a closed figure as a head
 # the same if filled and no polygon, when this narrow between equal sides
@@ -136,7 +136,7 @@ def _tips_extending_shafts(strokes: Strokes, owned: Sequence[int], tips: dict[in
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
 
     def met(k: int, z: complex) -> bool:
-        return any(abs(z - w) < SAME_POINT_MM for j, w in ends if j != k)
+        return distance_to_nearest(z, (w for j, w in ends if j != k)) < SAME_POINT_MM
 
     beyond = sum(met(k, strokes[k][owned[k] > 0]) - met(k, tip) for k, tip in tips.items())
     return {} if beyond > 0 else tips
@@ -164,7 +164,7 @@ def _join_to_headed_strokes(sketch: ReadDrawing) -> None:
         while way:
             a, b = sketch.strokes[k][::way]
             near = [i for i, s in enumerate(sketch.strokes) if i != k and i not in gone]
-            near = [i for i in near if min(abs(a - z) for z in sketch.strokes[i]) < SAME_POINT_MM]
+            near = [i for i in near if distance_to_nearest(a, sketch.strokes[i]) < SAME_POINT_MM]
             if len(near) != 1 or sketch.ways[near[0]]:
                 break
             before = max(sketch.strokes[near[0]], key=lambda z: abs(z - a))
@@ -233,14 +233,14 @@ def _candidate_ends(strokes: Strokes, head: Arrowhead, held: Iterable[int]) -> l
 
 def _open_heads(strokes: Strokes, free: Strokes) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
     """Pairs of short strokes, among those ``free``, that spread symmetrically from the end of a longer one."""
-    short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_HEAD_MM]
+    short = [s for s in free if abs(vector_of(s)) <= LARGEST_HEAD_MM]
     pairs = [(one, two) for i, one in enumerate(short) for two in short[:i]] if len(short) <= 400 else []
     spread = [(head, wings, far) for wings in pairs for head, far in _open_head_from_wings(*wings)]
     heads = []
     for head, wings, far in spread if len(strokes) * len(spread) <= MOST_STROKE_HEAD_PAIRS else ():
         others = [s for s in strokes if s not in wings]
         ends = _candidate_ends(others, head, range(len(others)))
-        lengths = ((off, abs(others[k][1] - others[k][0]) / far) for off, k, _ in ends)
+        lengths = ((off, abs(vector_of(others[k])) / far) for off, k, _ in ends)
         if any(
             long > LEAST_SHAFT_RATIO or (long > LEAST_EXACT_SHAFT_RATIO and off < EXACT_TIP_DISTANCE_MM)
             for off, long in lengths

@@ -12,8 +12,8 @@ from planes.check.reading.strokes import (
     as_lines,
     strokes_with_heads,
 )
-from planes.check.reading.written import Stroke, Strokes
-from planes.geometry.plane import direction_between, sine_between
+from planes.check.reading.written import Stroke, Strokes, vector_of
+from planes.geometry.plane import direction_between, distance_to_nearest, sine_between
 
 ON_LINE_TOLERANCE_MM = 0.1  # a vector is drawn on its line
 TOUCH_MM = 0.01  # a line ends on another
@@ -107,10 +107,10 @@ def _is_construction_line(strokes: Strokes, k: int, closed: bool, named: Sequenc
     for i, vector in enumerate(strokes):
         if i == k or not lies_on_longer_stroke(vector, strokes[k]):
             continue
-        beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_ENDS_MM for w in vector)]
-        inner = [w for w in vector if all(abs(z - w) > SNAPPED_ENDS_MM for z in strokes[k])]
+        beyond = [z for z in strokes[k] if distance_to_nearest(z, vector) > SNAPPED_ENDS_MM]
+        inner = [w for w in vector if distance_to_nearest(w, strokes[k]) > SNAPPED_ENDS_MM]
         ends = any(
-            _is_end_of_other_direction(strokes, z, strokes[k]) or any(abs(z - w) < SNAPPED_ENDS_MM for w in named)
+            _is_end_of_other_direction(strokes, z, strokes[k]) or distance_to_nearest(z, named) < SNAPPED_ENDS_MM
             for z in beyond
         )
         if beyond and not ends:
@@ -121,27 +121,27 @@ def _is_construction_line(strokes: Strokes, k: int, closed: bool, named: Sequenc
 def _is_end_of_other_direction(strokes: Strokes, z: complex, line: Stroke) -> bool:
     """Whether a stroke in another direction than a line begins or ends at a point."""
     return any(
-        any(abs(z - w) < SNAPPED_ENDS_MM for w in stroke) and not _is_parallel(stroke, line) for stroke in strokes
+        distance_to_nearest(z, stroke) < SNAPPED_ENDS_MM and not _is_parallel(stroke, line) for stroke in strokes
     )
 
 
 def _is_parallel(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke is parallel to a line, in either direction."""
-    return sine_between(one[1] - one[0], line[1] - line[0]) < MOST_PARALLEL_ANGLE_RAD
+    return sine_between(vector_of(one), vector_of(line)) < MOST_PARALLEL_ANGLE_RAD
 
 
 def lies_on_longer_stroke(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke lies on a longer one."""
     a, b = line
     local = [(z - a) / direction_between(a, b) for z in one]
-    return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_ENDS_MM and all(
+    return abs(vector_of(one)) < abs(b - a) - SNAPPED_ENDS_MM and all(
         abs(z.imag) < ON_LINE_TOLERANCE_MM and -SNAPPED_ENDS_MM < z.real < abs(b - a) + SNAPPED_ENDS_MM for z in local
     )
 
 
 def _is_met_by_another(strokes: Strokes, z: complex, but: Sequence[int], near: float = SNAPPED_ENDS_MM) -> bool:
     """Whether another stroke begins or ends at a point."""
-    return any(abs(z - w) < near for i, stroke in enumerate(strokes) if i not in but for w in stroke)
+    return any(distance_to_nearest(z, stroke) < near for i, stroke in enumerate(strokes) if i not in but)
 
 
 def covered_share(strokes: Strokes, a: complex, b: complex) -> float:

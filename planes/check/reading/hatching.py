@@ -9,7 +9,7 @@ import numpy
 from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.written import Strokes
+from planes.check.reading.written import Strokes, vector_of
 from planes.geometry.plane import direction_between
 
 LEAST_HATCH_ROWS = 4  # minimum number of rows in hatching
@@ -41,7 +41,7 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
 def _free_end_counts(strokes: Strokes) -> list[int]:
     """The number of ends of each stroke without other ends close by, except those of other pieces of its row."""
     places = numpy.array(strokes, complex).ravel()
-    ways = numpy.repeat([cmath.rect(1.0, cmath.phase(b - a)) for a, b in strokes], 2)
+    ways = numpy.repeat([cmath.rect(1.0, cmath.phase(vector_of(s))) for s in strokes], 2)
     ends = points(places.real, places.imag)
     tree = STRtree(ends)
     joined = numpy.zeros(len(ends), bool)
@@ -58,7 +58,7 @@ def _free_end_counts(strokes: Strokes) -> list[int]:
 
 def _parallel_groups(strokes: Strokes, held: Sequence[int]) -> list[list[int]]:
     """Groups of parallel strokes."""
-    angles = {k: math.degrees(cmath.phase(strokes[k][1] - strokes[k][0])) % 180 for k in held}
+    angles = {k: math.degrees(cmath.phase(vector_of(strokes[k]))) % 180 for k in held}
     groups = _together(angles, PARALLEL_TOLERANCE_DEG)
     if len(groups) > 1 and angles[groups[0][0]] + 180 - angles[groups[-1][-1]] <= PARALLEL_TOLERANCE_DEG:
         groups[0] += groups.pop()  # horizontal strokes, some of them slightly below 180°

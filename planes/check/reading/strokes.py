@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -14,7 +13,7 @@ from shapely import linestrings
 
 from planes.check.reading.opened import too_many_error
 from planes.check.reading.written import Stroke, Strokes, Words
-from planes.geometry.plane import bounding_corners
+from planes.geometry.plane import bounding_corners, distance_to_nearest
 
 Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
 LONGEST_TEXT = 200  # letters of a text
@@ -131,7 +130,7 @@ def coincident_ends_distance_mm(strokes: Strokes, vectors: Sequence[int]) -> flo
     if len(ends) > 2 * MOST_STROKES_FOR_CROSSINGS:
         return ENDS_JOINED_BY_EYE_MM
     asked = ((k, z) for k in vectors for z in strokes[k])
-    gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
+    gaps = sorted(distance_to_nearest(z, (w for j, w in ends if j != k)) for k, z in asked)
     joined = [g for g in gaps if g < FARTHEST_JOINED_ENDS_MM]
     if not joined or sum(g < SNAPPED_ENDS_MM for g in joined) > 0.7 * len(joined):
         return SNAPPED_ENDS_MM if joined else ENDS_JOINED_BY_EYE_MM

@@ -105,7 +105,7 @@ class ClassRow:
 def _plan_text(outcome: Outcome, lang: Lang) -> str:
     if outcome.has_only_results:
         return say("check_numbers", lang)
-    return plan_name_in_words(outcome.bench.asked.plan, lang)
+    return plan_name_in_words(outcome.bench.plan, lang)
 
 
 def teacher_priority(one: Checked) -> int:

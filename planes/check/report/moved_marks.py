@@ -1,7 +1,6 @@
 """Data for judging moved marks on a page: the tape, the right plan, the rule, the possible sentences."""
 
 import base64
-from collections.abc import Mapping
 from dataclasses import astuple
 
 from planes.check.blank import blank_pole
@@ -9,14 +8,14 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading import evidence, judging, off_vectors
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import LEAST_MARK_ERROR_MM
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import MarkPlaces, ReadMark
 from planes.check.grading.polygons import polygon_sides
 from planes.check.grading.prepared_plan import mistake_variants
 from planes.check.grading.readable import LEAST_READ_SHARE, key_marks
 from planes.check.grading.remedies import phrase_for_reader, phrase_with_remedy
 from planes.check.grading.variants import Variant
 from planes.check.outcome import Outcome
-from planes.check.report.regrading import SCREEN_MARK_ERROR_MM, grading_tape
+from planes.check.report.regrading import SCREEN_MARK_ERROR_MM, Places, TapePair, grading_tape
 from planes.check.report.shown import own_marks, own_side_order, point_coordinates, shown_plans, vector_end_labels
 from planes.drafting.steps import Same
 from planes.geometry.plane import bounding_corners
@@ -32,7 +31,7 @@ PAGE_MARGIN_MM = 12.0  # around a drawing on a page
 def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     """The data that a page needs to judge moved marks."""
     bench = outcome.bench
-    plan = outcome.bench.asked.plan
+    plan = outcome.bench.plan
     taken = grading.hand.taken
     variants = mistake_variants(bench, taken, grading.mu)
     tape, (misses, *supposed) = grading_tape(grading, variants)
@@ -64,7 +63,7 @@ def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     }
 
 
-def _mark_data(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
+def _mark_data(grading: Grading, mark: str, miss: TapePair) -> Json:
     """A mark: its position, if it was read, and the data for its verdict."""
     taken = grading.hand.taken.get(mark)
     true = grading.truth[mark]
@@ -84,7 +83,7 @@ def _mark_data(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
     }
 
 
-def _variant_data(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Json:
+def _variant_data(v: Variant, under: Places, lang: Lang) -> Json:
     return {
         "mistake": v.mistake,
         "blames": v.blames,
@@ -151,7 +150,7 @@ def _polygon_fault_data(grading: Grading, lang: Lang) -> Json | None:
     return None
 
 
-def _picture_and_box(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
+def _picture_and_box(outcome: Outcome, truth: MarkPlaces) -> Json:
     """The picture, if any, and the part of the paper to show."""
     paper = outcome.paper
     if paper.picture:
@@ -164,7 +163,7 @@ def _picture_and_box(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
     return {"picture": None, "box": _box_of_both_plans(outcome, truth)}
 
 
-def _box_of_both_plans(outcome: Outcome, truth: Mapping[str, complex]) -> list[float]:
+def _box_of_both_plans(outcome: Outcome, truth: MarkPlaces) -> list[float]:
     """The bounding box of both plans: left, bottom, right, top."""
     shown = shown_plans(outcome)
     margin = complex(PAGE_MARGIN_MM, PAGE_MARGIN_MM)

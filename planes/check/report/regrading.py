@@ -22,7 +22,8 @@ from planes.drafting.tools import Env
 from planes.geometry.arithmetic import Truth
 from planes.words.records import Json
 
-Places = dict[str, tuple[int, int]]  # positions on a tape of x and y of each mark's miss
+TapePair = tuple[int, int]
+Places = dict[str, TapePair]  # positions on a tape of x and y of each mark's miss
 SCREEN_MARK_ERROR_MM = 0.2  # accuracy of placing a mark on the screen
 
 

@@ -5,12 +5,12 @@ tilt is an error shared by all marks: if one mark is off by it, others are expec
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy
 
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import MarkPlaces, ReadMark
 from planes.check.vision.image.lens import Lens
 from planes.geometry.arrays import Array, Complexes
 
@@ -30,9 +30,7 @@ def with_scale_and_tilt_errors(spot: ReadMark, about: complex, share: float, len
     return replace(spot, error_mm=math.hypot(spot.error_mm, share * abs(z), tilted), shared=shared)
 
 
-def fitted_camera_tilt(
-    lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]
-) -> complex | None:
+def fitted_camera_tilt(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: MarkPlaces) -> complex | None:
     """The additional tilt (slopes to the right and up) that fits a plan's marks to the right ones best.
 
     None if it is small or poorly determined.
@@ -49,7 +47,7 @@ def fitted_camera_tilt(
     return None
 
 
-def log_deviation_from_plan(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]) -> float:
+def log_deviation_from_plan(pole: complex, spots: Sequence[ReadMark], true: MarkPlaces) -> float:
     """The deviation of marks from the right plan, as a logarithm; unread ones count as far off."""
     places = {s.name: s.place - pole for s in spots}
     seen = numpy.array([places.get(n, math.inf) for n in true])

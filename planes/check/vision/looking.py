@@ -16,7 +16,6 @@ from planes.check.vision.image.picture import Flat
 from planes.check.vision.page_parts import A2_MM2, split_page
 from planes.check.vision.print_scale import convert_to_true_mm, with_scale_vector_errors
 from planes.words import Phrase, Written
-from planes.words.names import plan_kind
 
 # minimum share of the ink around a plan that it explains; more if its pole was not given. Of 44 pictures of a plan two
 # were below the first, of 44 of another mechanism's plan thirty
@@ -102,7 +101,7 @@ def examine_picture(
     )
     if seen.likeliest_drawing.hypothesis.is_right and seen.likeliest_drawing.strange > MOST_STRAY_INK_MM:
         flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.likeliest_drawing.strange:.0f}")))
-    motion = plan_kind(bench.asked.plan) not in ("position", "force")
+    motion = bench.kind not in ("position", "force")
     paper.signs = (
         seen.transformed_plan_faults()
         or (seen.swapped_letter_faults() if motion else [])

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 import numpy
 
-from planes.check.fiducials import SHEET_MM
+from planes.check.fiducials import SHEET_MM, Size
 from planes.check.vision.image.opencv import sample_greys
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
@@ -36,7 +36,7 @@ class Bend:
     half: float  # of the picture's diagonal
     lens: tuple[float, float]
     view: Array
-    size_px: tuple[float, float]
+    size_px: Size
     shrink: float = 1.0  # reduction of the picture before it was analysed
     sides: Array | None = None  # outward displacement of the left, right, lower, upper side, px, at even steps
 

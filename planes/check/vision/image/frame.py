@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 import numpy
 from numpy.linalg import det, norm
 
+from planes.check.fiducials import Size
 from planes.check.vision.image.bend import FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM, PX_PER_MM
 from planes.check.vision.image.opencv import cv, pairs, reduce_to_longest_side, sample_greys
 from planes.check.vision.image.picture import LARGEST_SIDE_PX, Flat
@@ -129,7 +130,7 @@ def aspect_ratio_and_obliqueness(corners: Array, size_px: tuple[int, int]) -> tu
     return math.sqrt(across / up), True
 
 
-def _sheet_from_above(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
+def _sheet_from_above(grey: Greys, corners: Array, size_mm: Size) -> Flat:
     """The sheet from above."""
     cv2 = cv()
     w, h = size_mm

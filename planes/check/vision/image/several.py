@@ -14,6 +14,7 @@ LEAST_MARKS_PER_SHEET = 3  # marks that determine the position of a sheet
 # of the area between a sheet's marks: another sheet, smaller if more distant, fits in as much
 OTHER_SHEET_AREA_RATIO = 1.0
 
+SheetMarks = dict[int, Array]  # the corners of a sheet's marks by their numbers
 Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, clockwise from the upper left
 
 
@@ -21,7 +22,7 @@ Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, cl
 class SheetsSeen:
     """The marks of each sheet by their numbers, sheets in reading order; of a single sheet all, however few."""
 
-    sheets: list[dict[int, Array]]
+    sheets: list[SheetMarks]
     stray: int = 0  # marks of other sheets, too few to locate these
 
     @property
@@ -40,7 +41,7 @@ def group_marks_by_sheet(marks: Sequence[Found]) -> SheetsSeen:
     if len({number for number, _ in marks}) == len(marks):
         return SheetsSeen([dict(marks)] if marks else [])
     left = list(marks)
-    sheets = list[dict[int, Array]]()
+    sheets = list[SheetMarks]()
     while left:
         beside = _marks_of_same_sheet(left[0], left[1:])
         sheets += [dict(beside)] if len(beside) >= LEAST_MARKS_PER_SHEET else []
@@ -60,7 +61,7 @@ def may_show_more_marks(seen: SheetsSeen, picture: float) -> bool:
     return picture - sum(areas) > OTHER_SHEET_AREA_RATIO * min(areas)
 
 
-def _sheet_area_px2(sheet: dict[int, Array]) -> float:
+def _sheet_area_px2(sheet: SheetMarks) -> float:
     """The area between a sheet's marks, px²; for three marks, twice their triangle."""
     x, y = numpy.array([sheet[number].mean(axis=0) for number in sorted(sheet)]).T
     area = abs(x @ numpy.roll(y, 1) - y @ numpy.roll(x, 1)) / 2
@@ -88,7 +89,7 @@ def _prediction_error_mm(seed: Found, other: Found) -> float:
     return float(abs(seen - there) / max(abs(right), abs(up), 1e-9) * MARK_SIDE_MM)
 
 
-def _reading_order_key(sheet: dict[int, Array]) -> tuple[float, float]:
+def _reading_order_key(sheet: SheetMarks) -> tuple[float, float]:
     """A sort key for sheets side by side, or one below the other."""
     x, y = numpy.mean([quad.mean(axis=0) for quad in sheet.values()], axis=0).tolist()
     side = max(float(numpy.ptp(numpy.concatenate([*sheet.values()]), axis=0).min()), 1.0)
