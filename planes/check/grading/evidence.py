@@ -68,20 +68,16 @@ def candidate_scales(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float,
 
     Then the scale on which most vectors agree, taken from the most accurate of them.
     """
-    scales = [(bench.said_mu, 0.0)]
-    if bench.asked.mu:
-        return scales
-    shown = _drawn_to_true_ratios(bench, taken)
+    shown = [] if bench.asked.mu else _drawn_to_true_ratios(bench, taken)
     groups = [
         [pair for pair in shown if abs(pair[0] / one - 1) < EQUAL_SCALE_DIFFERENCE + error] for one, error in shown
     ]
-    tried: list[float] = [1.0]
+    scales = [(1.0, 0.0)]
     for group in sorted(groups, key=lambda g: (-len(g), min(error for _, error in g))):
         ratio, error = min(group, key=lambda pair: pair[1])
-        if all(abs(ratio / t - 1) > 0.01 for t in tried):
-            tried.append(ratio)
-            scales.append((bench.said_mu * ratio, error))
-    return scales[:MOST_CANDIDATE_SCALES]
+        if all(abs(ratio / other - 1) > 0.01 for other, _ in scales):
+            scales.append((ratio, error))
+    return [(bench.said_mu * ratio, error) for ratio, error in scales[:MOST_CANDIDATE_SCALES]]
 
 
 def _drawn_to_true_ratios(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float, float]]:

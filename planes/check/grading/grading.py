@@ -23,7 +23,6 @@ from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.skill import TOLERANCE_SIGMAS
 from planes.drafting.steps import LayOff, Same, Step
 from planes.geometry.plane import distance_to_nearest
-from planes.plans import Plans
 from planes.plans.scales import ZERO_VECTOR_MM, plan_extent
 from planes.words import Phrase, Written
 from planes.words.names import full_mark_name, label_of, letter_of, mu_name, plan_kind, plan_of
@@ -38,7 +37,6 @@ LEAST_FITTING_SHARE = 0.9  # share of the other marks that must be seen and righ
 class Grading:
     """A drawing graded at one scale."""
 
-    plans: Plans
     hand: Hand
     truth: Drawing
     marks: list[str]
@@ -297,7 +295,7 @@ def _grade_at_scale(
     )
     if doubtful and not judgement.named and all(apart[m].sigmas < 1 for m in judgement.wrong):
         judgement.wrong = []  # all are in the right place: the base of the first was misread slightly
-    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free, mu == bench.said_mu, rebuilt)
+    return Grading(hand, truth, bench.marks, mu, judgement, apart, free, mu == bench.said_mu, rebuilt)
 
 
 def grading_without_marks(bench: PreparedPlan) -> Grading:

@@ -25,7 +25,7 @@ MOST_MARKS_ASKED = 3  # maximum number of marks in a question
 
 def key_marks(grading: Grading) -> list[str]:
     """The marks needed to judge a plan: its intersections, or all that are drawn."""
-    steps = grading.plans.program.steps_by_result
+    steps = grading.hand.program.steps_by_result
     key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
     return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
 
@@ -36,7 +36,7 @@ def unreadable_reason(grading: Grading, named: Collection[str] = ()) -> Phrase |
     read_marks = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
     if len(read_marks) < LEAST_READ_SHARE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in read_marks)
-        steps = grading.plans.program.steps_by_result
+        steps = grading.hand.program.steps_by_result
         drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # of coincident marks only one may be key
         read = sum(m in grading.judgement.misses for m in drawn)
         return phrase_with_remedy("check_too_little", found=read, count=len(drawn), names=missing)

@@ -85,16 +85,12 @@ class ForceArrows:
         self.written = self.needed = numpy.zeros(0, bool)  # names on the drawing; vectors that must be there
         self.prices = numpy.zeros((0, 0))  # cost of each name for each direction of an arrow
         self.sides = polygon_sides(self.bench.plans, self.bench.plan)
-        own, loads = {s.name for s in self.sides}, known_force_labels(self.bench.plans, self.bench.plan)
+        loads = known_force_labels(self.bench.plans, self.bench.plan)
         segments = self.bench.plans.segments_by_plan.get(self.bench.plan, ())
-        self.ends = {
-            vector_end_label(s.name): (s.start, s.end) for s in segments if vector_end_label(s.name) not in own
-        }
-        self.ends |= {s.name: (s.start, s.end) for s in self.sides}
-        self.names = sorted(self.ends, key=lambda n: n not in own)
-        self.names += [
-            f"{letter}_{index}" for *_, index in self.bench.leaning_reactions for letter in "NT"
-        ]  # may be drawn, too
+        own = {s.name: (s.start, s.end) for s in self.sides}
+        self.ends = own | {vector_end_label(s.name): (s.start, s.end) for s in segments} | own
+        leaning = (f"{letter}_{index}" for *_, index in self.bench.leaning_reactions for letter in "NT")
+        self.names = [*self.ends, *leaning]  # these may be drawn, too
         self.reactions = {s.name for s in self.sides if s.end not in loads}
         self.own = numpy.array([n in own for n in self.names])
         self.arrows: list[tuple[Stroke, ...]] = []

@@ -9,7 +9,7 @@ from fontTools.misc.transform import Transform
 
 from planes.check.reading.arrowheads import arrow_or_head_from_figure, assign_arrowheads
 from planes.check.reading.opened import LARGEST_FILE_BYTES as LARGEST_PICTURE
-from planes.check.reading.opened import MB, read_bounded_bytes, too_many_error
+from planes.check.reading.opened import MB, file_error, read_bounded_bytes, too_many_error
 from planes.check.reading.parts import remove_letter_strokes, text_width_in_heights
 from planes.check.reading.strokes import LARGEST_POINT_RADIUS_MM, Arrowhead, ReadDrawing
 from planes.check.reading.svg_css import (
@@ -27,8 +27,6 @@ from planes.check.reading.svg_shapes import MOST_ELEMENTS, parse_xml_tree, read_
 from planes.check.reading.written import Words
 from planes.geometry.plane import direction_between
 from planes.scene.carried import drawing_in_png
-from planes.words import Phrase
-from planes.words.errors import PlanesError
 
 LARGEST_SVG_BYTES = 12 * MB
 SHAPE_LETTERS_PER_ELEMENT = 50  # of a shape's description that take as long to read as one element
@@ -42,7 +40,7 @@ def read_svg(path: str | Path) -> ReadDrawing:
     """The strokes of a file in mm, y up. :class:`PlanesError` if it is not an SVG."""
     root = parse_xml_tree(read_bounded_bytes(path, LARGEST_SVG_BYTES), str(path))
     if root.tag != "svg":
-        raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{root.tag}>"))
+        raise file_error("check_svg", path, why=f"<{root.tag}>")
     return drawing_from_svg(root, str(path))
 
 

@@ -9,10 +9,9 @@ from xml.parsers import expat
 from fontTools.pens.recordingPen import RecordingPen
 from fontTools.svgLib.path.parser import parse_path
 
-from planes.check.reading.opened import too_many_error
+from planes.check.reading.opened import file_error, too_many_error
 from planes.check.reading.svg_css import number_attribute
-from planes.words import Phrase
-from planes.words.errors import PlanesError, reporting_library_errors
+from planes.words.errors import reporting_library_errors
 from planes.words.frozen import frozen
 
 MOST_ELEMENTS = 60_000  # elements
@@ -48,7 +47,7 @@ def parse_xml_tree(data: bytes, file: str) -> ElementTree.Element:
         builder.end(NAMESPACE_PREFIX.sub("", tag))
 
     def entity(*_: object) -> None:
-        raise PlanesError(Phrase("check_svg_entities", file=file))
+        raise file_error("check_svg_entities", file)
 
     parser.buffer_text = True
     parser.StartElementHandler = start

@@ -4,7 +4,7 @@ import numpy
 
 from planes.check.vision.image.bend import Bend
 from planes.check.vision.image.frame import fit_line, ordered_corners, side_intersections
-from planes.check.vision.image.opencv import cv, reduce_to_longest_side, sample_greys
+from planes.check.vision.image.opencv import cv, filled_square, reduce_to_longest_side, sample_greys
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.geometry.plane import direction_between
 
@@ -56,7 +56,7 @@ def _approximate_corners(grey: Greys) -> Complexes | None:
     """The approximate corners of the sheet: the largest light area or, under a shadow, the largest with sharp edges."""
     cv2 = cv()
     small, factor = reduce_to_longest_side(grey, REDUCED_SIDE_PX)
-    soft = cv2.GaussianBlur(cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((9, 9), numpy.uint8)), (5, 5), 0)
+    soft = cv2.GaussianBlur(cv2.morphologyEx(small, cv2.MORPH_CLOSE, filled_square(9)), (5, 5), 0)
     _, light = cv2.threshold(soft, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
     quad = _largest_quadrilateral(light)
     if quad is None:

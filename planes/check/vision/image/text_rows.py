@@ -8,7 +8,13 @@ import math
 
 import numpy
 
-from planes.check.vision.image.opencv import connected_components, cv, reduce_to_longest_side, resize_by_factor
+from planes.check.vision.image.opencv import (
+    connected_components,
+    cv,
+    filled_square,
+    reduce_to_longest_side,
+    resize_by_factor,
+)
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
@@ -99,13 +105,11 @@ def _letter_components(small: Greys) -> tuple[Indices, Indices]:
     """The pieces of ink as large as letters: the number at each pixel (from 1, 0: none), and their boxes."""
     cv2 = cv()
     wide = PAPER_LIGHT_WINDOW_PX // 4 | 1
-    light = cv2.blur(cv2.dilate(resize_by_factor(small, 0.25), numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
+    light = cv2.blur(cv2.dilate(resize_by_factor(small, 0.25), filled_square(wide)), (wide, wide))
     dark = cv2.subtract(cv2.resize(light, small.shape[::-1]), cv2.GaussianBlur(small, (3, 3), 0))
     least = max(LEAST_INK_GREY_DIFFERENCE, LEAST_INK_DARKNESS_SHARE * float(numpy.percentile(dark[::4, ::4], 99.7)))
     labels, parts = connected_components(dark > least)
-    w = parts[:, 2]
-    h = parts[:, 3]
-    area = parts[:, 4]
+    w, h, area = parts[:, 2:].T
     tall = numpy.maximum(w, h)
     good = (
         (tall >= LETTER_HEIGHT_RANGE_PX[0])
