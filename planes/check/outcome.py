@@ -252,7 +252,7 @@ def _judge_segments(out: Outcome) -> None:
     out.unknown |= read.unknown
     if not (figures := read.figures):
         return
-    tried: list[tuple[int, bool, Account]] = []
+    tried = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = true_plan_with_errors(bench, [], mu, {})
         reckoned = judge_figures(

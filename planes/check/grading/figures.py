@@ -67,9 +67,9 @@ def read_results(
     """The figures of a table of results, in SI; two names of one quantity are equivalent."""
     meant = {text: names.possible_names(text) for text, *_ in written}
     sure = {text: one[0] for text, one in meant.items() if len({known[n].json_path for n in one}) == 1}
-    figures = list[WrittenNumber]()
-    unknown = dict[str, str]()
-    strange = dict[str, Phrase]()
+    figures = []
+    unknown = {}
+    strange = {}
     for text, value, unit in written:
         name = sure.get(text)
         in_si = unit_in_si(unit, known[name].column_to_write.unit if name else "")

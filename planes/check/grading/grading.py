@@ -247,7 +247,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     if not spots:
         return None
     taken = {full_mark_name(bench.plan, n): s for n, s in spots.items()} | marks_of_earlier_plans(bench)
-    tried: list[tuple[float, Grading]] = []
+    tried = []
     for mu, share in candidate_scales(bench, taken):
         grading = _grade_at_scale(bench, mu, share, taken, rebuilt)
         tried.append((round(grading.judgement.score, 9) + OWN_SCALE_LOG_ODDS * (not grading.said_mu), grading))

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from planes.check.grading.plan_steps import PlanSteps, with_other_direction
-from planes.check.grading.variants import Steps, Variant, Variants
+from planes.check.grading.variants import Steps, Swaps, Variant, Variants
 from planes.drafting.steps import LayOff, Same, Through
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
@@ -49,10 +49,10 @@ def _mistake_with_and_in_moments(w: PlanSteps, step: LayOff, mistake: str, swap:
         yield replace(alone, swaps={**alone.swaps, **swaps})
 
 
-def _scaled_moment_equations(w: PlanSteps, step: LayOff, factor: float) -> dict[str, Steps]:
+def _scaled_moment_equations(w: PlanSteps, step: LayOff, factor: float) -> Swaps:
     """The plan's moment equations with the terms of one force multiplied by a factor."""
     arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
-    equations: dict[str, Steps] = {}
+    equations = {}
     laid = (s for s in w.own if isinstance(s, LayOff) and s.quantity_represented == "tangential")
     for formula in filter(None, map(w.length_formula, laid)):
         terms = tuple(
@@ -156,7 +156,7 @@ def _reversed_friction_mistakes(w: PlanSteps) -> Variants:
     trial = next((s for s in w.own if label_of(s.makes)[-1:] in "+-" and isinstance(s, Cross)), None)
     if not leans or trial is None:
         return
-    swaps: dict[str, Steps] = {}
+    swaps = {}
     for lean in leans:
         back = Calculate(f"{lean.makes}~f", (Product(-1.0, ((lean.coefficient, 1),)),))
         swaps[lean.makes] = (back, replace(lean, coefficient=back.makes))

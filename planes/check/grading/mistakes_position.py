@@ -127,7 +127,7 @@ def _link_scale_mistakes(w: PlanSteps, step: Step, taken: ReadMarks, mu: float) 
     """A length drawn at another scale, the one shown by the person's own mark."""
     own = taken.get(step.makes)
     label = label_of(step.makes)
-    ends = list[tuple[str, str]]()
+    ends = []
     if isinstance(step, LayOff):
         ends.append((step.start, step.length))
     if isinstance(step, CrossArc | CrossArcs):

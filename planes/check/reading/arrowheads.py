@@ -159,7 +159,7 @@ def _join_to_headed_strokes(sketch: ReadDrawing) -> None:
     """Joins strokes without heads to a stroke with a head that continues them straight on, where nothing else meets."""
     if len(sketch.strokes) > MOST_STROKES_JOINED:
         return
-    gone = set[int]()
+    gone = set()
     for k, way in enumerate(sketch.ways):
         while way:
             a, b = sketch.strokes[k][::way]
@@ -264,7 +264,7 @@ def split_off_tapered_heads(
 ) -> tuple[list[complex], list[Arrowhead]]:
     """A polyline with segments that taper to zero: those are heads, and the line continues to their tips."""
     kept = [points[0]]
-    heads = list[Arrowhead]()
+    heads = []
     for (a, b), (wide, narrow) in zip(pairwise(points), widths, strict=False):
         small = 0 < abs(b - a) <= LARGEST_HEAD_MM
         if small and wide == 0 < narrow:

@@ -90,7 +90,7 @@ def vector_strokes(sketch: ReadDrawing, closed: bool = False) -> list[int]:
 
 def _named_ends(sketch: ReadDrawing) -> list[complex]:
     """Ends of strokes that are the only ones beside a word."""
-    ends_named = list[complex]()
+    ends_named = []
     ends = [z for stroke in sketch.strokes for z in stroke]
     for word in sketch.words:
         near = [z for z in ends if word.distance(z) < MOST_NAME_TO_END_MM]

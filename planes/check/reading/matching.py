@@ -126,7 +126,7 @@ def _ambiguous_marks(seen: Explanation, ink: LineInk) -> set[str]:
         for one in (seen.right_drawing, seen.wrong_drawing)
         if one and seen.chance_of_other_drawing > w.LEAST_SERIOUS_DOUBT and one is not seen.likeliest_drawing
     ]
-    apart = set[str]()
+    apart = set()
     likely = (
         one
         for one in seen.laid

@@ -41,7 +41,7 @@ def group_marks_by_sheet(marks: Sequence[Found]) -> SheetsSeen:
     if len({number for number, _ in marks}) == len(marks):
         return SheetsSeen([dict(marks)] if marks else [])
     left = list(marks)
-    sheets = list[SheetMarks]()
+    sheets = []
     while left:
         beside = _marks_of_same_sheet(left[0], left[1:])
         sheets += [dict(beside)] if len(beside) >= LEAST_MARKS_PER_SHEET else []
