@@ -247,7 +247,7 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
 
 def _judge_segments(out: Outcome) -> None:
     bench = out.bench
-    read = segment_figures(out.bench, out.paper.segments)
+    read = segment_figures(bench, out.paper.segments)
     out.notes += read.notes
     out.unknown |= read.unknown
     if not (figures := read.figures):
@@ -279,19 +279,18 @@ def _too_few_lengths_reason(lengths: Account, free: bool) -> Phrase | None:
 def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[float]:
     """The stated scale and those implied by the lengths."""
     scales = [bench.said_mu]
-    if bench.asked.mu:
-        return scales
     free = true_plan_with_errors(bench, [], bench.said_mu, {})
-    for f in figures:
+    for f in () if bench.asked.mu else figures:
         true = float(abs(f.read(free.things)[0]))
-        if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in scales):
-            scales.append(bench.said_mu * f.given / true)
+        mu = bench.said_mu * f.given / true if true > 5 else 0.0
+        if mu > 0 and all(abs(mu / m - 1) > 0.01 for m in scales):
+            scales.append(mu)
     return scales[:6]
 
 
 def _judge_results(out: Outcome) -> None:
     bench = out.bench
-    known = quantities_by_name(out.bench.plans)
+    known = quantities_by_name(bench.plans)
     asked = () if out.paper.spots or out.paper.segments else bench.asked.answers or bench.asked.scene.find or ()
     read = read_results(known, bench.naming.name_finder(known, poles=False), out.paper.results, asked)
     out.notes += read.notes

@@ -143,9 +143,8 @@ class Grading:
         if left := self.missing_force:
             return Phrase(f"mistake_{'weight' if letter_of(left) == 'G' else 'force'}_missing", mark=left)
         gap = self.wrong_closing_error_mm
-        closing = self.rebuilt.closing if self.rebuilt else ""
-        if gap:
-            return Phrase("mistake_not_closed", mark=closing, gap=Written(f"{gap:.1f}"))
+        if gap and self.rebuilt:
+            return Phrase("mistake_not_closed", mark=self.rebuilt.closing, gap=Written(f"{gap:.1f}"))
         return None
 
     @property
@@ -157,12 +156,10 @@ class Grading:
             return named.sentence
         if not wrong:
             return self.polygon_fault
-        mark = label_of(wrong[0])
         off = self.judgement.misses[wrong[0]].off
-        drawable = math.isfinite(abs(off))
-        if drawable:
+        if math.isfinite(abs(off)):
             return wrong_vector_phrase(self.hand, wrong[0], off)
-        return Phrase("check_undrawable", mark=mark)
+        return Phrase("check_undrawable", mark=label_of(wrong[0]))
 
     @property
     def unverified_marks(self) -> list[str]:

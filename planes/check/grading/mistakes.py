@@ -34,9 +34,8 @@ def motion_variants(w: PlanSteps) -> Variants:
 
 def _driver_mistakes(w: PlanSteps, quick: bool) -> Variants:
     """The driver's motion taken with the wrong sense, or left out."""
-    drive = w.plans.mechanism.drive
     spin = "epsilon" if quick else "omega"
-    name = drive.rate_names[quick]
+    name = w.plans.mechanism.drive.rate_names[quick]
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _determines_length(w, name, s.length)), None)
     if name not in w.program.given_names or mark is None:
         return

@@ -101,12 +101,11 @@ def rebuild_polygon(
     """
     sides = {s.name: s for s in polygon_sides(plans, plan)}
     names = naming.name_finder(sides)
-    out = Rebuilt()
     vectors: ReadMarks = {}
     polygons = [{vector_end_label(t.name): t.end for t in e.all_terms} for e in plans.equations if e.plan == plan]
     seen: ReadMarks = {}
-    out.unknown += [spot.name for spot in spots if names.find_name(spot.name) is None]
-    known = [spot for spot in spots if spot.name not in out.unknown]
+    unknown = [spot.name for spot in spots if names.find_name(spot.name) is None]
+    known = [spot for spot in spots if spot.name not in unknown]
     for before, spot in pairwise([*known[:1], *known]):
         name = names.find_name(spot.name)
         last = names.find_name(before.name)
@@ -120,10 +119,13 @@ def rebuild_polygon(
             doubt = max(spot.doubt, old.doubt)
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
     loads = known_force_labels(plans, plan)
-    out.vectors = [*vectors.values()]
-    out.closers = {name for name, side in sides.items() if side.end not in loads}
-    out.polygons += polygons
-    out.left = [] if complete else [side for name, side in sides.items() if name not in vectors]
+    out = Rebuilt(
+        unknown=unknown,
+        vectors=[*vectors.values()],
+        closers={name for name, side in sides.items() if side.end not in loads},
+        left=[] if complete else [side for name, side in sides.items() if name not in vectors],
+        polygons=[*polygons],
+    )
     _lay_sides(out, sides, vectors, loads, complete)
     return out
 
@@ -158,20 +160,22 @@ def _lay_sides(out: Rebuilt, sides: dict[str, Side], vectors: ReadMarks, loads: 
                 out.gap = replace(read, place=gap)
                 out.closing = name
         else:
-            ahead = side.start in places
-            new, old = (side.end, side.start) if ahead else (side.start, side.end)
-            places[new] = places[old] + (read.place if ahead else -read.place)
-            out.spots[new] = replace(read, name=new, place=places[new])
+            new, place = (
+                (side.end, places[side.start] + read.place)
+                if side.start in places
+                else (side.start, places[side.end] - read.place)
+            )
+            places[new] = place
+            out.spots[new] = replace(read, name=new, place=place)
 
 
 def _can_be_laid(side: Side, places: MarkPlaces, read: bool, loads: set[str]) -> bool:
     """Whether a side can be laid now: read and reached, or an unread load."""
     load = side.end in loads
-    begun = side.start in places
     ended = side.end in places
-    if read:
-        return begun or (ended and not load)
-    return load and begun and not ended
+    if side.start in places:
+        return read or (load and not ended)
+    return read and ended and not load
 
 
 def align_marks(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[ReadMarks, Rebuilt | None, list[str]]:

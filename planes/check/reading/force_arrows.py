@@ -3,8 +3,6 @@
 Every arrow is the vector that it resembles and whose name stands beside it, in the right plan or in a mistake's.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

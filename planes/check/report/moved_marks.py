@@ -21,7 +21,7 @@ from planes.drafting.steps import Same
 from planes.geometry.plane import bounding_corners
 from planes.plans.scales import plan_extent
 from planes.words import Lang, Phrase, say
-from planes.words.names import POLE_LABEL, label_of, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, label_of, plan_of
 from planes.words.records import Json
 
 MARK_VERDICTS = ("right", "wrong", "follows", "unread")
@@ -31,19 +31,18 @@ PAGE_MARGIN_MM = 12.0  # around a drawing on a page
 def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     """The data that a page needs to judge moved marks."""
     bench = outcome.bench
-    plan = outcome.bench.plan
     taken = grading.hand.taken
     variants = mistake_variants(bench, taken, grading.mu)
     tape, (misses, *supposed) = grading_tape(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
-    earlier = {m: point_coordinates(t.place) for m, t in taken.items() if plan_of(m) != plan}
-    force = plan_kind(plan) == "force"
+    earlier = {m: point_coordinates(t.place) for m, t in taken.items() if plan_of(m) != bench.plan}
+    force = bench.kind == "force"
     return {
-        "kind": plan_kind(plan),
+        "kind": bench.kind,
         "marks": [_mark_data(grading, m, misses[m]) for m in grading.marks],
         "vectors": vector_end_labels(bench),
         "truth": {POLE_LABEL: [0.0, 0.0], **{n: point_coordinates(z) for n, z in truth.items()}},
-        "rows": [astuple(s) for s in polygon_sides(bench.plans, plan)]
+        "rows": [astuple(s) for s in polygon_sides(bench.plans, bench.plan)]
         if force
         else [(n, POLE_LABEL, n) for n in truth],
         "chained": force,
@@ -95,8 +94,6 @@ def _variant_data(v: Variant, under: Places, lang: Lang) -> Json:
 
 def _verdict_parameters(grading: Grading) -> Json:
     """The numbers that verdicts depend on."""
-    absent = grading.rebuilt.absent if grading.rebuilt else ()
-    point = grading.hand.tool.skill.point_mm
     same = (s.makes for s in grading.hand.program.steps if isinstance(s, Same))
     return {
         "false_alarm": judging.FALSE_ALARM_SHARE,
@@ -113,12 +110,12 @@ def _verdict_parameters(grading: Grading) -> Json:
         "broad": evidence.log_density_anywhere(plan_extent(grading.truth, plan_of(grading.marks[0]))),
         "readable": LEAST_READ_SHARE,
         "key": [label_of(m) for m in key_marks(grading)],
-        "absent": sorted(absent),
+        "absent": sorted(grading.rebuilt.absent) if grading.rebuilt else [],
         "shown_by": [
             (label_of(m), [[label_of(k) for k in way] for way in ways]) for m, ways in grading.determining_marks.items()
         ],
         "same": [label_of(m) for m in same if m in grading.marks],
-        "smallest": evidence.SMALLEST_DRAWING_SIGMAS * point,
+        "smallest": evidence.SMALLEST_DRAWING_SIGMAS * grading.hand.tool.skill.point_mm,
         "sure": evidence.MOST_CHANCE_OF_RANDOM_MARKS,
         "free": not grading.said_mu,
         "gap": grading.closing_error_sigma_mm,

@@ -32,8 +32,7 @@ def _place_windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
     truth = true_marks(outcome)
     if kind == "force":  # there its order is free, and a step leads to the right position
         truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z}
-    verdicts = grading.verdicts
-    wrong = [label_of(m) for m, verdict in verdicts.items() if verdict == "wrong"]
+    wrong = [label_of(m) for m, verdict in grading.verdicts.items() if verdict == "wrong"]
     for name in dict.fromkeys([outcome.first_wrong or "", *wrong]):
         places = [z for z in (shown.marks.get(name), truth.get(name)) if z is not None]
         if name == POLE_LABEL or not places:

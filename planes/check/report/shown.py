@@ -51,8 +51,8 @@ def own_marks(outcome: Outcome) -> MarkPlaces:
     """The person's own marks, mm from the pole."""
     if outcome.grading is None:
         return {}
-    plan = outcome.bench.plan
-    return {label_of(m): t.place for m, t in outcome.grading.hand.taken.items() if plan_of(m) == plan}
+    taken = outcome.grading.hand.taken
+    return {label_of(m): t.place for m, t in taken.items() if plan_of(m) == outcome.bench.plan}
 
 
 def true_marks(outcome: Outcome) -> MarkPlaces:
@@ -98,21 +98,20 @@ def _correction_vectors(outcome: Outcome, shown: MarkPlaces) -> list[Vector]:
     if outcome.grading is None:
         return []
     verdicts = outcome.grading.verdicts
-    limit = outcome.grading.judgement.limit
-    off = {m: miss for m, miss in outcome.grading.judgement.misses.items() if miss.sigmas > WARNING_SIGMAS}
-    rows = [(label_of(m), miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= limit]
+    judged = outcome.grading.judgement
+    off = {m: miss for m, miss in judged.misses.items() if miss.sigmas > WARNING_SIGMAS}
+    rows = [(label_of(m), miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= judged.limit]
     return [(shown[n], shown[n] - by) for n, by in rows if n in shown]
 
 
 def own_side_order(outcome: Outcome) -> list[Side]:
     """A force polygon's sides in the person's order, missing ones last; none where the pen was lifted."""
     bench = outcome.bench
-    spots = outcome.paper.spots
     grading = outcome.grading
     if bench.kind != "force" or grading is None or grading.rebuilt is None:
         return []
     sides = {s.name: s for s in polygon_sides(bench.plans, bench.plan)}
-    first, *read = map(bench.naming.name_finder(sides).find_name, (spot.name for spot in spots))
+    first, *read = map(bench.naming.name_finder(sides).find_name, (spot.name for spot in outcome.paper.spots))
     if POLE_LABEL in read or first != POLE_LABEL:
         return []
     missing = (s.name for s in sides.values() if s.end in grading.rebuilt.absent)
@@ -158,14 +157,13 @@ def tracing_data(asked: Asked, lang: Lang) -> Json:
 
 def _plan_data(bench: PreparedPlan, lang: Lang) -> Json:
     plan = bench.plan
-    kind = bench.kind
     marks = bench.true_marks
-    mu = mu_text(bench.said_mu, kind, lang, bench.asked.scene.mu_convention)
+    mu = mu_text(bench.said_mu, bench.kind, lang, bench.asked.scene.mu_convention)
     line = shlex.join(bench.asked.command_words("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
-    names = [(s.name, s.start, s.end) for s in polygon_sides(bench.plans, plan)] if kind == "force" else []
+    names = [(s.name, s.start, s.end) for s in polygon_sides(bench.plans, plan)] if bench.kind == "force" else []
     return {
         "key": plan,
-        "kind": kind,
+        "kind": bench.kind,
         "title": f"{plan_title(plan, lang)}, μ = {mu}",
         "marks": {POLE_LABEL: [0.0, 0.0], **{n: point_coordinates(z) for n, z in marks.items()}},
         "far": max(marks, key=lambda n: abs(marks[n])),
