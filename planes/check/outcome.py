@@ -38,11 +38,11 @@ class Outcome(Described):
 
     bench: PreparedPlan
     paper: ReadPaper
+    notes: list[Phrase]
     grading: Grading | None = None
     segments: Account | None = None
     results: Account | None = None
     unreadable: Phrase | None = None
-    notes: list[Phrase] = field(default_factory=list)
     unknown: dict[str, str] = field(default_factory=dict)  # unknown names in tables, with the nearest known name
     missing: list[str] = field(default_factory=list)  # results that were asked for and are missing
     unread: list[str] = field(default_factory=list)  # results in unknown units
@@ -169,7 +169,7 @@ def check(asked: Asked, paper: ReadPaper) -> Outcome:
     """Checks one paper. :class:`PlanesError` if the scene or the question is wrong."""
     bench = prepare(asked)
     bench = bench.at_scale(paper.mu, fixed=True) if paper.mu and not asked.mu else bench
-    out = Outcome(bench, paper, notes=list(paper.notes))
+    out = Outcome(bench, paper, list(paper.notes))
     try:
         _judge_paper(out)
         if paper.mu and not asked.mu and not (out.mistake or paper.signs):
@@ -192,7 +192,7 @@ def _outcome_at_common_scale(asked: Asked, out: Outcome) -> Outcome | None:
     ):
         return None
     paper = replace(out.paper, signs=[plan_scale_fault(out.bench, free.mu)])
-    scaled = Outcome(out.bench.at_scale(free.mu, fixed=True), paper, notes=list(paper.notes))
+    scaled = Outcome(out.bench.at_scale(free.mu, fixed=True), paper, list(paper.notes))
     _judge_paper(scaled)
     if scaled.unreadable or (scaled.grading and scaled.grading.fault):
         return None

@@ -109,24 +109,20 @@ def misread_log_density(off: complex, broad: float, doubt: float) -> float:
     if not doubt:
         return -math.inf
     near = -math.log(2 * math.pi * MISREADING_SPREAD_MM**2) - 1.5 * math.log1p(abs(off) ** 2 / MISREADING_SPREAD_MM**2)
-    return math.log(doubt) + float(numpy.logaddexp(near, math.log(MISREAD_ANYWHERE_SHARE) + broad))
+    return math.log(doubt) + log_sum(near, math.log(MISREAD_ANYWHERE_SHARE) + broad)
 
 
 def right_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     """Logarithm of the density of the miss of a right mark, with drawing and reading errors."""
     if not math.isfinite(miss.sigmas):
         return -math.inf
-    return float(numpy.logaddexp(miss.log_density + math.log1p(-doubt), misread_log_density(miss.off, broad, doubt)))
+    return log_sum(miss.log_density + math.log1p(-doubt), misread_log_density(miss.off, broad, doubt))
 
 
 def any_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     """The same for any mark, including occasional slips."""
-    return float(
-        numpy.logaddexp(
-            right_mark_log_density(miss, broad, doubt) + math.log1p(-SLIP_PROBABILITY),
-            broad + math.log(SLIP_PROBABILITY),
-        )
-    )
+    right = right_mark_log_density(miss, broad, doubt) + math.log1p(-SLIP_PROBABILITY)
+    return log_sum(right, broad + math.log(SLIP_PROBABILITY))
 
 
 def log_prob_no_slips(misses: Misses, broad: float, doubts: Mapping[str, float]) -> float:
@@ -144,10 +140,9 @@ def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> f
 
     ``right`` is the part without slips, ``otherwise`` another reading under which it is right, ``mistakes`` one each.
     """
-    named = math.log(SLIP_PROBABILITY) + float(numpy.logaddexp.reduce([-math.inf, *mistakes]))
+    named = math.log(SLIP_PROBABILITY) + log_sum(*mistakes)
     slipped = math.log(-math.expm1(right)) if right < 0 else -math.inf
-    good = float(numpy.logaddexp(right, otherwise))
-    return logistic(float(numpy.logaddexp(named, slipped)) - good)
+    return logistic(log_sum(named, slipped) - log_sum(right, otherwise))
 
 
 def chance_number_wrong(off: float, sigma: float, size: float) -> float:
@@ -155,6 +150,11 @@ def chance_number_wrong(off: float, sigma: float, size: float) -> float:
     drawn = -0.5 * (off / sigma) ** 2 - math.log(sigma * math.sqrt(2 * math.pi)) if sigma else -math.inf
     slipped = math.log(SLIP_PROBABILITY) - math.log(2 * max(size, off, sigma))
     return logistic(slipped - drawn)
+
+
+def log_sum(*logarithms: float) -> float:
+    """The logarithm of the sum of numbers given by their logarithms."""
+    return float(numpy.logaddexp.reduce([-math.inf, *logarithms]))
 
 
 def logistic(odds: float) -> float:

@@ -20,6 +20,7 @@ from planes.check.grading.evidence import (
     chance_wrong,
     log_density_anywhere,
     log_prob_no_slips,
+    log_sum,
     logistic,
     misread_log_density,
     right_mark_log_density,
@@ -128,8 +129,8 @@ class _Weighing:
         """The score a mistake needs to explain a mark better than "some other cause" or a misreading."""
         miss = self.misses[mark]
         taken = misread_log_density(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP_PROBABILITY)
-        return float(
-            numpy.logaddexp(math.log(OTHER_CAUSE_WEIGHT) + self._unknown_cause_log_density(mark), taken)
+        return log_sum(
+            math.log(OTHER_CAUSE_WEIGHT) + self._unknown_cause_log_density(mark), taken
         ) - self.mark_log_density(mark, miss)
 
     def _unknown_cause_log_density(self, mark: str) -> float:
@@ -143,7 +144,7 @@ class _Weighing:
                 spread = float(((self.misses[mark].change * aside).imag ** 2).sum()) + LEAST_MARK_ERROR_MM**2
                 off = ((self.hand.taken[mark].place - origin) * aside).imag
                 every.append(-0.5 * (off**2 / spread + math.log(2 * math.pi * spread) - self.broad))
-        return float(numpy.logaddexp.reduce(every)) - math.log(len(every))
+        return log_sum(*every) - math.log(len(every))
 
     def log_likelihood_gain(self, misses: Misses) -> float:
         """The log likelihood ratio of misses to those of the original steps."""
@@ -212,7 +213,7 @@ def _name_likeliest_mistake(judgement: Judgement, ranked: Sequence[ScoredHypothe
         return
     judgement.named = best.variant
     judgement.runner_up = rest[0].variant if rest else None
-    judgement.cause = logistic(best.score - float(numpy.logaddexp.reduce([unknown, *(one.score for one in rest)])))
+    judgement.cause = logistic(best.score - log_sum(unknown, *(one.score for one in rest)))
     judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
     judgement.score += best.score + math.log(SLIP_PROBABILITY)
 

@@ -39,7 +39,7 @@ def _driver_mistakes(w: PlanSteps, quick: bool) -> Variants:
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _determines_length(w, name, s.length)), None)
     if name not in w.program.given_names or mark is None:
         return
-    value = float(w.plans.given[name])
+    value = float(w.given[name])
     label = label_of(mark)
     about = {"value": name}
     yield Variant(f"{spin}1_reversed", label, {}, {name: -value}, 1.0, about)
@@ -135,7 +135,7 @@ def _mirrored_similarity(w: PlanSteps, step: Similar | Image) -> Variants:
     name = f"mirrored {step.makes}"
     label = label_of(step.makes)
     if isinstance(step, Similar):
-        ratio = complex(w.plans.given[step.ratio]).conjugate()
+        ratio = complex(w.given[step.ratio]).conjugate()
         swaps = {step.makes: (replace(step, ratio=name),)}
         yield Variant("similarity_mirrored", label, swaps, {name: ratio})
         return

@@ -71,7 +71,7 @@ def _mass_for_weight_mistakes(w: PlanSteps, step: LayOff) -> Variants:
     if mass := next((n for n, _ in factors if letter_of(n) == "m"), None):
         alone = w.variant_at_step("mass_for_weight", step, replace(step, length=mass), weight=0.5)
         yield alone
-        if gravity := float(w.plans.given["g"]):
+        if gravity := float(w.given["g"]):
             yield replace(alone, swaps={**alone.swaps, **_scaled_moment_equations(w, step, 1.0 / gravity)})
 
 

@@ -26,7 +26,7 @@ LEAST_LINK_SCALE_ERROR = 0.04  # a smaller error of a link's length is inaccurac
 def position_variants(w: PlanSteps, taken: ReadMarks, mu: float) -> Variants:
     """Mistakes of a position plan; the person's own marks show the scale at which a link may have been drawn."""
     yield from _driver_angle_mistakes(w)
-    for name, value in w.plans.given.items():
+    for name, value in w.given.items():
         if name not in w.program.given_names:
             continue
         if letter_of(name) == "side":
@@ -47,11 +47,11 @@ def _guide_through_pivot_mistakes(w: PlanSteps) -> Variants:
     mechanism = w.plans.mechanism
     driver = mechanism.links[mechanism.drive.link].points if w.plans.has_mechanism else ()
     pivot = next((f"place_{n}" for n in driver if n in mechanism.frame.points), "")
-    for guide in mechanism.frame.guides if pivot in w.plans.given else ():
+    for guide in mechanism.frame.guides if pivot in w.given else ():
         place = f"place_°{guide}"
         if place in w.program.given_names and _misses_point(w, place, pivot, f"angle_∥{guide}"):
             yield from _variant_of_changed_givens(
-                w, "guide_offset_ignored", w.steps_using(place), {place: w.plans.given[pivot]}
+                w, "guide_offset_ignored", w.steps_using(place), {place: w.given[pivot]}
             )
 
 
@@ -60,11 +60,11 @@ def _other_class_iii_assemblies(w: PlanSteps) -> Variants:
     cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
     for holds, cut in cuts.items():
         program = w.program.cut_to_names([name for hold in holds for name, _ in hold.input_names()])
-        things = draw_program(program, {**w.plans.given, cut.mu: 1.0}).things
+        things = draw_program(program, {**w.given, cut.mu: 1.0}).things
         guess = cut.guess
         ties = [hold.lead_tie(things, 1.0, Arithmetic()) for hold in holds]
         size = things[guess.size]
-        drawn = draw_program(w.program.cut_to_names([cut.makes]), {**w.plans.given, cut.mu: 1.0})[cut.makes]
+        drawn = draw_program(w.program.cut_to_names([cut.makes]), {**w.given, cut.mu: 1.0})[cut.makes]
         terms = *guess.places, *(name for turn in guess.turns for name in turn)
         here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys(terms, 0.0)
         poses = all_assemblies(ties, size).poses
@@ -92,9 +92,9 @@ def _assur_class_by_basic_link(w: PlanSteps, cut: CutTrack) -> str:
 
 def _misses_point(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:
     """Whether the line of a guide misses a point."""
-    way = cmath.rect(1.0, math.radians(float(w.plans.given[angle])))
-    off = (complex(w.plans.given[pivot]) - complex(w.plans.given[place])) * way.conjugate()
-    return abs(off.imag) > LEAST_GUIDE_OFFSET * max(abs(complex(w.plans.given[place])), 1e-9)
+    way = cmath.rect(1.0, math.radians(float(w.given[angle])))
+    off = (complex(w.given[pivot]) - complex(w.given[place])) * way.conjugate()
+    return abs(off.imag) > LEAST_GUIDE_OFFSET * max(abs(complex(w.given[place])), 1e-9)
 
 
 def _driver_angle_mistakes(w: PlanSteps) -> Variants:
@@ -102,7 +102,7 @@ def _driver_angle_mistakes(w: PlanSteps) -> Variants:
     given = w.plans.drive_given_name
     if w.plans.mechanism.drive.kind != "phi":
         return
-    phi = float(w.plans.given[given])
+    phi = float(w.given[given])
     wrong = (-phi, 180 - phi, 180 + phi, 90 - phi, phi + 90, phi - 90)
     users = [s for s in w.own if isinstance(s, LayOff)][:1]
     for angle in wrong:
@@ -135,7 +135,7 @@ def _link_scale_mistakes(w: PlanSteps, step: Step, taken: ReadMarks, mu: float) 
     if isinstance(step, CrossArcs):
         ends.append((step.other, step.other_radius))
     for centre, length in ends:
-        value = w.plans.given.get(length)
+        value = w.given.get(length)
         start = taken.get(centre)
         if own is None or start is None or not value or length not in w.plans.link_lengths:
             continue

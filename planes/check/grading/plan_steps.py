@@ -24,6 +24,7 @@ class PlanSteps:
     plan: str
 
     def __post_init__(self) -> None:
+        self.given = self.plans.given
         self.steps = self.program.steps_by_result
         self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
         self.pole = full_mark_name(self.plan, POLE_LABEL)

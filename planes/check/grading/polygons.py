@@ -39,15 +39,15 @@ class Side:
 class Rebuilt:
     """Marks of the program's polygon by label, and its closing errors."""
 
+    unknown: list[str]
+    vectors: list[ReadMark]  # as read
+    closers: set[str]  # those of free length
+    left: list[Side]  # not read, though they may be there
+    polygons: Sequence[Collection[str]]  # the vectors of each
     spots: ReadMarks = field(default_factory=dict)
     gap: ReadMark | None = None
     closing: str = ""
     absent: set[str] = field(default_factory=set)  # known forces that are missing
-    unknown: list[str] = field(default_factory=list)
-    vectors: list[ReadMark] = field(default_factory=list)  # as read
-    closers: set[str] = field(default_factory=set)  # those of free length
-    left: list[Side] = field(default_factory=list)  # not read, though they may be there
-    polygons: list[Collection[str]] = field(default_factory=list)  # the vectors of each
 
     def may_be_confused_vectors(self, missing: complex | None) -> bool:
         """Whether vectors identified by likeness, as in a picture, may as well be others.
@@ -124,7 +124,7 @@ def rebuild_polygon(
         vectors=[*vectors.values()],
         closers={name for name, side in sides.items() if side.end not in loads},
         left=[] if complete else [side for name, side in sides.items() if name not in vectors],
-        polygons=[*polygons],
+        polygons=polygons,
     )
     _lay_sides(out, sides, vectors, loads, complete)
     return out

@@ -1,6 +1,5 @@
 """Data for judging moved marks on a page: the tape, the right plan, the rule, the possible sentences."""
 
-import base64
 from dataclasses import astuple
 
 from planes.check.blank import blank_pole
@@ -15,6 +14,7 @@ from planes.check.grading.readable import LEAST_READ_SHARE, key_marks
 from planes.check.grading.remedies import phrase_for_reader, phrase_with_remedy
 from planes.check.grading.variants import Variant
 from planes.check.outcome import Outcome
+from planes.check.report.places import jpeg_data_address
 from planes.check.report.regrading import SCREEN_MARK_ERROR_MM, Places, TapePair, grading_tape
 from planes.check.report.shown import own_marks, own_side_order, point_coordinates, shown_plans, vector_end_labels
 from planes.drafting.steps import Same
@@ -154,7 +154,7 @@ def _picture_and_box(outcome: Outcome, truth: MarkPlaces) -> Json:
         w, h = SHEET_MM
         pole = blank_pole(outcome.bench)
         box = paper.box or (-pole.real, -pole.imag, w - pole.real, h - pole.imag)
-        href = "data:image/jpeg;base64," + base64.b64encode(paper.picture).decode()
+        href = jpeg_data_address(paper.picture)
         unread = outcome.grading is None or any(m not in outcome.grading.hand.taken for m in outcome.grading.marks)
         return {"picture": {"href": href, "box": box}, "box": box if unread else _box_of_both_plans(outcome, truth)}
     return {"picture": None, "box": _box_of_both_plans(outcome, truth)}

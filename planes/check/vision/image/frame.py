@@ -62,12 +62,19 @@ def frame_corners(grey: Greys) -> Array | None:
         hull = cv2.convexHull(contour)
         area = cv2.contourArea(hull)
         if area > LEAST_FRAME_SHARE * small.size and cv2.contourArea(contour) > 0.9 * area:
-            quad = cv2.approxPolyDP(hull, 0.02 * cv2.arcLength(hull, True), True)
-            if len(quad) == 4:
-                quads.append((area, quad.reshape(4, 2).astype(float)))
+            quad = quadrilateral(hull, 0.02)
+            if quad is not None:
+                quads.append((area, quad))
     quads.sort(key=lambda q: q[0])
     refined = (_refined_corners(grey, ordered_corners((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
     return next((c for c in refined if c is not None), None)  # the innermost dark line: the paper's edge is none
+
+
+def quadrilateral(hull: Array, tolerance: float) -> Array | None:
+    """The corners of a convex outline that is one, to this share of its length."""
+    cv2 = cv()
+    quad = cv2.approxPolyDP(hull, tolerance * cv2.arcLength(hull, True), True)
+    return quad.reshape(4, 2).astype(float) if len(quad) == 4 else None
 
 
 def ordered_corners(quad: Array) -> Array:

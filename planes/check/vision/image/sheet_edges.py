@@ -3,7 +3,7 @@
 import numpy
 
 from planes.check.vision.image.bend import Bend
-from planes.check.vision.image.frame import fit_line, ordered_corners, side_intersections
+from planes.check.vision.image.frame import fit_line, ordered_corners, quadrilateral, side_intersections
 from planes.check.vision.image.opencv import cv, filled_square, reduce_to_longest_side, sample_greys
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.geometry.plane import direction_between
@@ -77,8 +77,7 @@ def _largest_quadrilateral(inside: Greys) -> Array | None:
     within = [h for h in hulls if (h > 1).all() and (h < rim).all()]
     if not within or cv2.contourArea(within[-1]) < LEAST_SHEET_SHARE * inside.size:
         return None
-    quad = cv2.approxPolyDP(within[-1], 0.03 * cv2.arcLength(within[-1], True), True).reshape(-1, 2)
-    return quad.astype(float) if len(quad) == 4 else None
+    return quadrilateral(within[-1], 0.03)
 
 
 def _edge_points(grey: Greys, a: complex, b: complex) -> Complexes | None:
