@@ -21,10 +21,10 @@ def plan_fitting_blank(bench: PreparedPlan) -> PreparedPlan:
         aside = abs(blank_pole(bench) - pole_position([])) > MOST_POLE_OFFSET_MM
         reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
         if aside:
-            return bench.at_scale(largest_fitting_scale(plan, reach, SHEET_MM[1] / 2 - OTHER_MARGIN_MM), fixed=True)
+            return bench.at_scale(largest_fitting_scale(plan, reach, SHEET_MM[1] / 2 - OTHER_MARGIN_MM))
         return bench
     while not has_room([*bench.true_marks.values()]):
-        bench = bench.at_scale(largest_fitting_scale(plan, 1.0, NEXT_SMALLER_SCALE_FACTOR * bench.said_mu), fixed=True)
+        bench = bench.at_scale(largest_fitting_scale(plan, 1.0, NEXT_SMALLER_SCALE_FACTOR * bench.said_mu))
     return bench
 
 

@@ -231,16 +231,16 @@ def _read_lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
     from planes.check.reading.pdf import read_pdf
     from planes.check.reading.svg import read_embedded_svg, read_svg
 
-    pixels = known.pole is not None or known.marks or known.format
+    pixels = known.pole is not None or known.format
     match suffix:
-        case ".pdf":
-            if known.pole is not None or known.format:
-                return None
+        case ".pdf" if not pixels:
             return read_pdf(file, known.page or 0)
-        case ".png":
-            return None if pixels else read_embedded_svg(file)
-    if suffix in VECTOR_SUFFIXES:
-        return {".svg": read_svg, ".dxf": read_dxf}[suffix](file)
+        case ".png" if not (pixels or known.marks):
+            return read_embedded_svg(file)
+        case ".svg":
+            return read_svg(file)
+        case ".dxf":
+            return read_dxf(file)
     return None
 
 

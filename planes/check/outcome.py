@@ -132,7 +132,7 @@ class Outcome(Described):
         if self.unreadable:
             return []
         left = [*self.unread, *self.unknown, *self.missing, *self.paper.left]
-        left[:0] = self.results.undecidable_figures if self.results else ()
+        left[:0] = [s.figure.name for s in self.results.scored if s.verdict == "too_near"] if self.results else ()
         if self.grading is None:
             return left
         misses = {} if self.wrong else self.grading.judgement.misses
@@ -168,7 +168,7 @@ class Outcome(Described):
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
     """Checks one paper. :class:`PlanesError` if the scene or the question is wrong."""
     bench = prepare(asked)
-    bench = bench.at_scale(paper.mu, fixed=True) if paper.mu and not asked.mu else bench
+    bench = bench if asked.mu else bench.at_scale(paper.mu)
     out = Outcome(bench, paper, list(paper.notes))
     try:
         _judge_paper(out)
@@ -192,7 +192,7 @@ def _outcome_at_common_scale(asked: Asked, out: Outcome) -> Outcome | None:
     ):
         return None
     paper = replace(out.paper, signs=[plan_scale_fault(out.bench, free.mu)])
-    scaled = Outcome(out.bench.at_scale(free.mu, fixed=True), paper, list(paper.notes))
+    scaled = Outcome(out.bench.at_scale(free.mu), paper, list(paper.notes))
     _judge_paper(scaled)
     if scaled.unreadable or (scaled.grading and scaled.grading.fault):
         return None

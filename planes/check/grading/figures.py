@@ -72,15 +72,14 @@ def read_results(
     strange = {}
     for text, value, unit in written:
         name = sure.get(text)
-        in_si = unit_in_si(unit, known[name].column_to_write.unit if name else "")
+        right = known[name].column_to_write.unit if name else ""
+        in_si = unit_in_si(unit, right)
         if in_si is None:
             strange[text] = Phrase("check_unit", name=text, unit=unit)
         elif name is None:
             unknown[text] = _nearest_known_name(text, names)
-        elif in_si[1] not in ("", known[name].column_to_write.unit):
-            strange[text] = Phrase(
-                "check_other_unit", name=text, unit=unit, right=Phrase(known[name].column_to_write.unit)
-            )
+        elif in_si[1] not in ("", right):
+            strange[text] = Phrase("check_other_unit", name=text, unit=unit, right=Phrase(right))
         else:
             figures.append(quantity_figure(name, known[name], value * in_si[0]))
     given = {known[f.name].json_path for f in figures}

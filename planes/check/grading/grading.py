@@ -222,7 +222,8 @@ class Grading:
         judgement = self.judgement
         apart = [0j]
         for place in (self.hand.taken[m].place for m in judgement.misses):
-            apart += [place] if distance_to_nearest(place, apart) > MOST_MISREADING_MM else []
+            if distance_to_nearest(place, apart) > MOST_MISREADING_MM:
+                apart.append(place)
         if len(apart) < 3 or not self.fault:
             return len(apart) > 2
         off = max((abs(judgement.misses[m].off) for m in judgement.wrong), default=0.0)

@@ -158,13 +158,13 @@ class _Weighing:
         if suspect is None or not math.isfinite(self.misses[suspect].sigmas):
             return share
         miss = self.misses[suspect]
-        doubt = self.doubts[suspect]
-        return share + right_mark_log_density(miss, self.broad, 0.0) - right_mark_log_density(miss, self.broad, doubt)
+        misread = right_mark_log_density(miss, self.broad, self.doubts[suspect])
+        return share + right_mark_log_density(miss, self.broad, 0.0) - misread
 
     def log_prob_misread_mark(self, mark: str) -> float:
         """The same with another point misread as the suspected mark, located instead by the marks drawn from it."""
         hand = self.hand
-        own = self.hand.taken[mark]
+        own = hand.taken[mark]
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
         plain = other.misses([m for m in self.plain if m != mark])

@@ -133,11 +133,10 @@ def _normal_component_ends(w: PlanSteps, start: str, end: str) -> Iterator[str]:
 def _mirrored_similarity(w: PlanSteps, step: Similar | Image) -> Variants:
     """The similar figure mirrored about its base."""
     name = f"mirrored {step.makes}"
-    label = label_of(step.makes)
     if isinstance(step, Similar):
         ratio = complex(w.given[step.ratio]).conjugate()
         swaps = {step.makes: (replace(step, ratio=name),)}
-        yield Variant("similarity_mirrored", label, swaps, {name: ratio})
+        yield Variant("similarity_mirrored", label_of(step.makes), swaps, {name: ratio})
         return
     foot = Mirror(f"{name}°", step.of, step.like)
     yield w.variant_at_step("similarity_mirrored", step, foot, replace(step, of=(step.of[0], foot.makes)))

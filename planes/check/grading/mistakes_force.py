@@ -130,9 +130,8 @@ def _formula_with_term_replaced(formula: Calculate, old: Product, new: Product) 
 
 
 def _moment_equation_variant(step: LayOff, mistake: str, steps: Steps, weight: float, force: str) -> Variant:
-    label = label_of(step.makes)
-    shown = force.strip("|").replace("MI_", "M_Φ")
-    return Variant(mistake, label, {step.length: steps}, {}, weight, {"force": shown})
+    about = {"force": force.strip("|").replace("MI_", "M_Φ")}
+    return Variant(mistake, label_of(step.makes), {step.length: steps}, {}, weight, about)
 
 
 def _reaction_direction_mistakes(w: PlanSteps, step: Cross) -> Variants:
@@ -160,5 +159,4 @@ def _reversed_friction_mistakes(w: PlanSteps) -> Variants:
     for lean in leans:
         back = Calculate(f"{lean.makes}~f", (Product(-1.0, ((lean.coefficient, 1),)),))
         swaps[lean.makes] = (back, replace(lean, coefficient=back.makes))
-    label = label_of(trial.makes).rstrip("+-")
-    yield Variant("friction_along_motion", label, swaps)
+    yield Variant("friction_along_motion", label_of(trial.makes).rstrip("+-"), swaps)

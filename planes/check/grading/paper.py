@@ -114,8 +114,7 @@ def read_table(path: str | Path) -> ReadPaper:
 def _split_rows(text: str) -> list[tuple[int, list[str]]]:
     """Rows with their numbers; the first row determines the separator."""
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    first = lines[0] if lines else ""
-    mark = next((c for c in (";", "\t") if c in first), ",")
+    mark = next((c for c in (";", "\t") if lines and c in lines[0]), ",")
     rows = csv.reader(text.splitlines(), delimiter=mark)
     cells = ((rows.line_num, [c.strip() for c in row]) for row in rows)
     return [(line, row) for line, row in cells if any(row) and not row[0].startswith("#")]

@@ -159,8 +159,10 @@ class PreparedPlan:
             return {}
         return {n: place(z) for n, z in self.marks_by_label(marks).items()}
 
-    def at_scale(self, mu: float, fixed: bool = False) -> PreparedPlan:
-        """The same at another scale; ``fixed`` if no other is considered."""
+    def at_scale(self, mu: float | None, fixed: bool = True) -> PreparedPlan:
+        """The same at another scale, if there is one; ``fixed`` if no other is considered."""
+        if not mu:
+            return self
         asked = replace(self.asked, mu=mu) if fixed else self.asked
         return replace(self, asked=asked, given={**self.given, mu_name(asked.plan): mu}, said_mu=mu)
 

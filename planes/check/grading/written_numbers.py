@@ -74,11 +74,6 @@ class Account:
         return next((s for s in self.scored if s.verdict == "wrong"), None)
 
     @property
-    def undecidable_figures(self) -> list[str]:
-        """The figures too close to a dead point to be judged."""
-        return [s.figure.name for s in self.scored if s.verdict == "too_near"]
-
-    @property
     def first_wrong(self) -> str | None:
         """Its name, or the mark of a mistake identified by its lengths."""
         if self.named and self.lengths:

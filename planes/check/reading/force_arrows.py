@@ -237,12 +237,14 @@ def read_force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # vectors inside are optional
     unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > SHORTEST_VECTOR_WITH_HEAD_MM)
     paper.left = [n for n in unread if not _may_end_in_other_head(seen, true[n], rows)]
-    error = max(sketch.error_mm, GAP_ERROR_SHARE * _typical_gap(rows))
+    gaps = _end_to_start_gaps(rows)
+    meeting = [gap for gap in gaps if gap < MEETING_ENDS_MM]
+    error = max(sketch.error_mm, GAP_ERROR_SHARE * median(meeting or [0.0]))
     paper.spots = _spots(rows, error)
     paper.whole = seen.headed and all(
         abs(vector_of(seen.arrows[i][0])) < SHORTEST_VECTOR_WITH_HEAD_MM for i in best.left
     )
-    room = 2 * max(_end_to_start_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
+    room = 2 * max(gaps, default=0.0)  # where all ends meet, no vector is hidden
     paper.whole &= all(
         n in rows or not SHORTEST_DRAWN_VECTOR_MM < abs(true[n]) < min(room, SHORTEST_VECTOR_WITH_HEAD_MM) for n in own
     )
@@ -255,9 +257,8 @@ def read_force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 def _vectors_with_arrows(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
     """The vectors with their arrows: a reaction and its only component, or two inner vectors, may share one."""
     rows = {n: seen.flat[k][1] for n, k in best.taken.items()}
-    known = best.known
     for n in (s.name for s in seen.sides):
-        alike = [m for m in rows if abs(known[m] - known[n]) < COINCIDENT_VECTORS_MM]
+        alike = [m for m in rows if abs(best.known[m] - best.known[n]) < COINCIDENT_VECTORS_MM]
         same = [m for m in alike if n in seen.reactions or not seen.own[seen.names.index(m)]]
         if n not in rows and same:
             rows[n] = rows[same[0]]
@@ -336,11 +337,6 @@ def _is_only_guessed(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: 
     back = _spots({n: s[::-1] for n, s in rows.items()}, error)
     turned = not seen.headed and agreement_score(bench, replace(paper, spots=back)) >= agreement_score(bench, paper)
     return turned or not (seen.written & seen.own).any()
-
-
-def _typical_gap(rows: Rows) -> float:
-    """The distance between the ends and the starts of vectors that should meet."""
-    return median([gap for gap in _end_to_start_gaps(rows) if gap < MEETING_ENDS_MM] or [0.0])
 
 
 def _end_to_start_gaps(rows: Rows) -> list[float]:

@@ -150,7 +150,7 @@ def _plan_at_named_scale(bench: PreparedPlan, ink: LineInk) -> PreparedPlan:
     ratio = median(best) if len(best) >= max(2, len(ratios) / 2) else 0.0
     if abs(ratio) < SAME_SCALE_LOG_RATIO:
         return bench
-    return bench.at_scale(bench.said_mu * math.exp(ratio))
+    return bench.at_scale(bench.said_mu * math.exp(ratio), fixed=False)
 
 
 def _log_scale_ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:

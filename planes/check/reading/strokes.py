@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -12,7 +13,7 @@ import numpy
 from shapely import linestrings
 
 from planes.check.reading.opened import too_many_error
-from planes.check.reading.written import Stroke, Strokes, Words
+from planes.check.reading.written import Stroke, Strokes, Words, vector_of
 from planes.geometry.plane import bounding_corners, distance_to_nearest
 
 Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
@@ -87,9 +88,10 @@ class ReadDrawing:
         }
         self.passed += len(on)
         line = [z for k, z in enumerate(line) if k not in on]
-        for a, b in pairwise(line):
-            if cmath.isfinite(a) and cmath.isfinite(b) and abs(b - a) > 0.02:
-                (self.strokes if abs(b - a) >= SHORTEST_STROKE_MM else self.short).append((a, b))
+        for stroke in pairwise(line):
+            length = abs(vector_of(stroke))
+            if 0.02 < length < math.inf:
+                (self.strokes if length >= SHORTEST_STROKE_MM else self.short).append(stroke)
         for count, most in ((len(self.strokes) + self.passed, MOST_STROKES), (len(self.short), MOST_SHORT_STROKES)):
             if count > most:
                 raise too_many_error(self.file, "strokes", most)

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -77,17 +78,15 @@ def _transformed_point(m: Transform, z: complex) -> complex:
     return complex(*m.transformPoint((z.real, z.imag)))
 
 
+@dataclass
 class _Reader:
     """Walks the tree; the attributes of a group apply to all its content."""
 
-    def __init__(
-        self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[ElementTree.Element, Looks]
-    ) -> None:
-        self.sketch = sketch
-        self.named = named
-        self.rules = rules
-        self.count = 0
-        self.said = set[str]()
+    sketch: ReadDrawing
+    named: dict[str, ElementTree.Element]
+    rules: Mapping[ElementTree.Element, Looks]
+    count: int = 0
+    said: set[str] = field(default_factory=set)
 
     def read_element(self, e: ElementTree.Element, m: Transform, depth: int, looks: Looks, used: bool = False) -> None:
         new = {e.get(k, "") for k in ("style", "transform")} - self.said
@@ -131,8 +130,7 @@ class _Reader:
 
     def _add_shape(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
         stroke = looks.get("stroke", "")
-        fill = looks.get("fill", "")
-        solid = stroke == "none" or (not stroke and fill not in ("", "none"))
+        solid = stroke == "none" or (not stroke and looks.get("fill", "none") not in ("", "none"))
         parts = list(read_subpaths(e))
         for circle in (one.circle for one in parts):
             if circle:
@@ -175,8 +173,7 @@ class _Reader:
             pieces = [(first, text)]
         boxes = [_text_box(c, t, _letter_size(style_of_element(c, self.rules), looks)) for c, t in pieces]
         right = complex(m.xx, m.xy)
-        down = complex(m.yx, m.yy)
-        height = boxes[0][2] * abs(down)
+        height = boxes[0][2] * abs(complex(m.yx, m.yy))
         along = right / abs(right) if abs(right) else 1 + 0j
         width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)
         back = {"middle": 0.5, "end": 1.0}.get(looks.get("text-anchor", ""), 0.0) * width

@@ -59,7 +59,7 @@ def _read_part(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -
     """The marks of a plan on a part of a page, at the scale in its title."""
     said = None if bench.asked.mu else scale_in_title(words, part, bench.plan, known_plans(bench.plans))[0]
     mu = said and said * detail_enlargement(words, part)
-    paper = read_plan_marks(part, bench.at_scale(mu, fixed=True) if mu else bench)
+    paper = read_plan_marks(part, bench.at_scale(mu))
     paper.mu = mu
     return paper
 

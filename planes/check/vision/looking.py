@@ -63,7 +63,7 @@ def best_examination(
     page = split_page(flat)
     looks = [Look(flat, 0j)]
     for k, mu in page.likely_plan_parts(bench):
-        look = examine_picture(bench.at_scale(mu, fixed=True) if mu else bench, page.cut_out_part(k), None)
+        look = examine_picture(bench.at_scale(mu), page.cut_out_part(k), None)
         look.paper.mu = mu
         looks.append(look)
         if look.cover * look.explained > LEAST_COVER:

@@ -67,8 +67,7 @@ def read_picture(file: str, bench: PreparedPlan, known: Known = NO_HINTS) -> Rea
     paper.mu = best.paper.mu or bench.asked.mu
     paper.picture, paper.box = picture_for_page(best.flat), best.picture_box(bench)
     if code and code.plan != bench.plan and code.plan in known_plans(bench.plans):
-        plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.plan)}
-        paper.notes.append(Phrase("check_code_says", **plans))
+        paper.notes.append(Phrase("check_code_says", other=plan_phrase(code.plan), plan=plan_phrase(bench.plan)))
     if best.bare:
         paper.reason = Phrase("check_no_lines")
     elif not best.has_plan:
@@ -122,7 +121,7 @@ def _plan_at_printed_scale(bench: PreparedPlan, flat: Flat, code: SheetMark | No
     flat.pole = code.pole
     if bench.asked.mu:
         return bench
-    return bench.at_scale(code.mu or bench.said_mu, fixed=True)
+    return bench.at_scale(code.mu or bench.said_mu)
 
 
 def _missing_reference_error(grey: Greys) -> PlanesError:

@@ -34,19 +34,14 @@ def rectify_by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
     if corners is None:
         return
     ratio, askew = aspect_ratio_and_obliqueness(corners, grey.shape)
-    sizes = [(name, w, h) for name, (a, b) in PAPER_SIZES_MM.items() for w, h in ((a, b), (b, a))]
-    fits = [
-        (
-            float(abs(math.log(ratio * (h - 2 * FRAME_OTHER_SIDES_MM) / (w - FRAME_LEFT_MM - FRAME_OTHER_SIDES_MM)))),
-            n,
-            w,
-            h,
-        )
-        for n, w, h in sizes
-    ]
-    named = [f for f in fits if f[1] == paper]
+    fits = sorted(
+        (abs(math.log(ratio * (h - 2 * FRAME_OTHER_SIDES_MM) / (w - FRAME_LEFT_MM - FRAME_OTHER_SIDES_MM))), name, w, h)
+        for name, sides in PAPER_SIZES_MM.items()
+        for w, h in (sides, sides[::-1])
+    )
+    named = [f for f in fits if f[1] == paper][:1]
     likely = [f for f in fits if f[0] < FRAME_RATIO_TOLERANCES[askew]]
-    for _, _, w, h in sorted(named)[:1] if paper is not None else sorted(likely):
+    for _, _, w, h in likely if paper is None else named:
         yield _sheet_from_above(grey, corners, (w, h))
 
 

@@ -7,7 +7,7 @@ and with thin dark strokes filled up, its light changes only slowly.
 import numpy
 
 from planes.check.vision.image.opencv import connected_components, cv, filled_square, reduce_to_longest_side
-from planes.geometry.arrays import Booleans, Greys, Indices
+from planes.geometry.arrays import Booleans, Greys
 
 REDUCED_SIDE_PX, SQUARE_PX = 1000, 20
 UNEVEN_GREY_SIGMA = 11.0  # σ of the grey levels of a small square
@@ -80,7 +80,7 @@ def shows_text_only(grey: Greys) -> bool:
     paper = cv2.dilate(cv2.blur(small, (3, 3)), filled_square(SQUARE_PX))
     dark = cv2.subtract(cv2.blur(paper, (SQUARE_PX, SQUARE_PX)), small)
     letters, drawn = (
-        _dark_components(dark, least)
+        connected_components(dark > least)[1][1:, 2:5]  # width, height and number of pixels of each
         for least in (LETTER_DARKNESS_SHARE * float(numpy.percentile(dark, 99.5)), INK_GREY_DIFFERENCE)
     )
     low, high = LETTER_HEIGHT_RANGE_PX
@@ -89,8 +89,3 @@ def shows_text_only(grey: Greys) -> bool:
         return False
     lines = drawn[~words, :2]  # seen this faintly, letters of a word touch
     return bool(max(letters[:, :2].max(), lines.max(initial=0)) <= SHORTEST_DRAWN_LINE_PX)
-
-
-def _dark_components(dark: Greys, least: float) -> Indices:
-    """Connected components of this darkness: width, height and number of pixels."""
-    return connected_components(dark > least)[1][1:, 2:5]

@@ -172,12 +172,10 @@ def flatten(grey: Greys) -> Flat | None:
     if warp is None:
         return None
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
-    notes += [Phrase("check_several_blanks", count=len(blanks.sheets))] if len(blanks.sheets) > 1 else []
-    notes += (
-        [Phrase("check_blank_in_part", count=blanks.partial_sheet_mark_count)]
-        if blanks.partial_sheet_mark_count
-        else []
-    )
+    if len(blanks.sheets) > 1:
+        notes.append(Phrase("check_several_blanks", count=len(blanks.sheets)))
+    if blanks.partial_sheet_mark_count:
+        notes.append(Phrase("check_blank_in_part", count=blanks.partial_sheet_mark_count))
     bend = measure_distortion(small, warp)
     if bend is not None:
         unbent = _rectify_distorted(small, bend, seen, true)

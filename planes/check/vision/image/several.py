@@ -43,9 +43,11 @@ def group_marks_by_sheet(marks: Sequence[Found]) -> SheetsSeen:
     left = list(marks)
     sheets = []
     while left:
-        beside = _marks_of_same_sheet(left[0], left[1:])
-        sheets += [dict(beside)] if len(beside) >= LEAST_MARKS_PER_SHEET else []
-        taken = beside if len(beside) >= LEAST_MARKS_PER_SHEET else left[:1]
+        taken = _marks_of_same_sheet(left[0], left[1:])
+        if len(taken) >= LEAST_MARKS_PER_SHEET:
+            sheets.append(dict(taken))
+        else:
+            taken = left[:1]
         left = [one for one in left if not any(one is other for other in taken)]
     return SheetsSeen(sorted(sheets, key=_reading_order_key), len(marks) - sum(map(len, sheets)))
 
@@ -74,7 +76,8 @@ def _marks_of_same_sheet(seed: Found, marks: Sequence[Found]) -> list[Found]:
     for number in range(len(corner_mark_centres(SHEET_MM))):
         near = [(_prediction_error_mm(seed, one), k) for k, one in enumerate(marks) if one[0] == number != seed[0]]
         off, k = min(near, default=(PREDICTED_MARK_TOLERANCE_MM, 0))
-        marks_of_sheet += [marks[k]] if off < PREDICTED_MARK_TOLERANCE_MM else []
+        if off < PREDICTED_MARK_TOLERANCE_MM:
+            marks_of_sheet.append(marks[k])
     return marks_of_sheet
 
 

@@ -84,10 +84,9 @@ def find_text_rows(grey: Greys) -> LetterRows | None:
     z = (columns + 1j * rows_of_ink) * numpy.exp(-1j * way)
     order = numpy.argsort(label, kind="stable")
     starts = numpy.searchsorted(label[order], numpy.arange(len(boxes)))
-    s = z.real[order]
-    t = z.imag[order]
-    low, high = (f.reduceat(t, starts) for f in (numpy.minimum, numpy.maximum))
-    left, right = (f.reduceat(s, starts) for f in (numpy.minimum, numpy.maximum))
+    (left, right), (low, high) = (
+        [f.reduceat(part[order], starts) for f in (numpy.minimum, numpy.maximum)] for part in (z.real, z.imag)
+    )
     rows = _chain_rows(left, right, low, high, way)
     if not rows:
         return None

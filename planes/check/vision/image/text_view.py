@@ -130,7 +130,6 @@ class _TextSight:
         self.slants = _group_means(slants, drawn, self.blocks)
         self.sizes = self.sizes + _group_means(off, usual, self.blocks)
         one = numpy.zeros(len(self.places), int)
-        blocks = self.blocks
         return [
             _tilt_cue(
                 lambda v: _angles_after_view(v, self.places, self.ways), view, near, self._row_weights(hand), one
@@ -140,10 +139,14 @@ class _TextSight:
                 view,
                 near,
                 drawn / (slant * (1 + hand) * coarse) ** 2,
-                blocks,
+                self.blocks,
             ),
             _tilt_cue(
-                lambda v: self.logs + _log_magnifications(v, text.places, upright), view, near, usual / size**2, blocks
+                lambda v: self.logs + _log_magnifications(v, text.places, upright),
+                view,
+                near,
+                usual / size**2,
+                self.blocks,
             ),
         ], hand
 
