@@ -196,7 +196,7 @@ def ends_with_heads(strokes: Strokes, heads: Sequence[Arrowhead]) -> tuple[list[
         for head, held in zip(heads, near, strict=True)
     ]
     for candidates in sorted(wanted, key=len):
-        free = [(far, k, way, tip) for far, k, way, tip in candidates if not way_of[k]]
+        free = [one for one in candidates if not way_of[one[1]]]
         free = free or [one for one in candidates if way_of[one[1]] == -one[2] and one[0] < MOST_SECOND_HEAD_COST_MM]
         if free:
             far, k, way, tip = min(free, key=lambda one: one[:3])

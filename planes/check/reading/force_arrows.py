@@ -131,7 +131,8 @@ class ForceArrows:
             for k, (i, s) in enumerate(self.flat):
                 price = w.MISPLACED_NAME_WEIGHT * self._naming_cost(one, off, k, i, s, back[k])
                 for n in one.likely:
-                    cost[k, self.names.index(n)] = min(cost[k, self.names.index(n)], price)
+                    at = k, self.names.index(n)
+                    cost[at] = min(cost[at], price)
         return cost
 
     def _naming_cost(self, one: LineWord, off: Sequence[float], k: int, i: int, s: Stroke, back: int | None) -> float:

@@ -64,7 +64,8 @@ def read_picture(file: str, bench: PreparedPlan, known: Known = NO_HINTS) -> Rea
         best.paper, file=file, whole=False, look=picture.pixel_hash, scale_mark=by, notes=list(best.flat.notes)
     )
     paper.pole_told = pole is not None or best.flat.by == "marks"
-    paper.mu = best.paper.mu or bench.asked.mu
+    mu = best.paper.mu
+    paper.mu = mu or bench.asked.mu
     paper.picture, paper.box = picture_for_page(best.flat), best.picture_box(bench)
     if code and code.plan != bench.plan and code.plan in known_plans(bench.plans):
         paper.notes.append(Phrase("check_code_says", other=plan_phrase(code.plan), plan=plan_phrase(bench.plan)))
@@ -76,8 +77,8 @@ def read_picture(file: str, bench: PreparedPlan, known: Known = NO_HINTS) -> Rea
     else:
         pointed = bench.pointed_positions(known.marks, best.flat.sheet_point_of_pixel)
         paper.spots = with_pointed_marks(paper.spots, pointed)
-        if best.paper.mu and best.paper.mu != bench.said_mu:
-            paper.notes.append(Phrase("check_mu_found", mu=bench.written_scale(best.paper.mu)))
+        if mu and mu != bench.said_mu:
+            paper.notes.append(Phrase("check_mu_found", mu=bench.written_scale(mu)))
         paper.untold = [n for n in paper.untold if n not in pointed]
     return paper
 

@@ -128,14 +128,15 @@ def _decode_picture(data: bytes, file: str, page: int = 0) -> DecodedPicture | N
     bits = numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG_START and PNG_END not in data[-64:]:
         return None  # it was truncated
-    log_level = cv2.utils.logging.getLogLevel()
-    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    log = cv2.utils.logging
+    log_level = log.getLogLevel()
+    log.setLogLevel(log.LOG_LEVEL_SILENT)
     try:
         pixels: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
         solid = pixels is None or pixels.ndim < 3 or pixels.shape[2] != 4
         grey = decode_to_one_channel(cv2, bits) if pixels is None or solid else _on_white_paper(cv2, pixels)
     finally:
-        cv2.utils.logging.setLogLevel(log_level)
+        log.setLogLevel(log_level)
     if grey is None:
         return None
     return DecodedPicture(grey, _px_per_mm_of_file(head), _focal_length_of_file(head))

@@ -89,8 +89,9 @@ def _refined_corners(grey: Greys, quad: Array, reach: float) -> Array | None:
         places = a + numpy.linspace(0.03, 0.97, 200) * (b - a)
         seen = 255.0 - sample_greys(grey, places[:, None] + across * t)
         base = numpy.maximum(seen[:, :4].mean(axis=1), seen[:, -4:].mean(axis=1))[:, None]
-        line = numpy.maximum(seen - base - 0.35 * (seen.max(axis=1)[:, None] - base), 0)
-        good = (seen.max(axis=1) - base[:, 0]) > 15
+        depth = seen.max(axis=1)[:, None] - base
+        line = numpy.maximum(seen - base - 0.35 * depth, 0)
+        good = depth[:, 0] > 15
         if good.mean() < 0.5:
             return None
         middle = (line * t).sum(axis=1) / numpy.maximum(line.sum(axis=1), 1e-6)

@@ -90,9 +90,7 @@ def _edge_points(grey: Greys, a: complex, b: complex) -> Complexes | None:
     rise = soft[:, 4:] - soft[:, :-4]
     best = rise.argmax(axis=1).clip(1, rise.shape[1] - 2)
     n = numpy.arange(PROFILES_PER_EDGE)
-    left = rise[n, best - 1]
-    top = rise[n, best]
-    right = rise[n, best + 1]
+    left, top, right = (rise[n, best + k] for k in (-1, 0, 1))
     at = best + (left - right) / (2 * numpy.minimum(left - 2 * top + right, -1e-3)) + 2
     edge = places[:, 0] + inwards * 0.5 * at
     edge = edge[top > LEAST_EDGE_GREY_STEP]

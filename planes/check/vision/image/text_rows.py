@@ -123,8 +123,9 @@ def _letter_components(small: Greys) -> tuple[Indices, Indices]:
 
 def _row_direction(boxes: Indices) -> float | None:
     """The direction from most letters to their neighbours, in radians; None if there is none."""
-    z = boxes[:, 0] + boxes[:, 2] / 2 + 1j * (boxes[:, 1] + boxes[:, 3] / 2)
-    tall = numpy.maximum(boxes[:, 2], boxes[:, 3]).astype(float)
+    x, y, wide, high, _ = boxes.T
+    z = x + wide / 2 + 1j * (y + high / 2)
+    tall = numpy.maximum(wide, high).astype(float)
     apart = z - z[:, None]
     near = abs(apart) + 1e9 * (abs(apart) < 1)
     near[(tall > MOST_HEIGHT_RATIO * tall[:, None]) | (tall[:, None] > MOST_HEIGHT_RATIO * tall)] = 1e9
@@ -193,10 +194,10 @@ def _fit_baseline(chain: Indices, s: Array, feet: Array, tall: Array, way: float
         return None
     for _ in range(3):
         line = numpy.polynomial.polynomial.polyfit(x[near], y[near], 1)
-        near = abs(y - line[0] - line[1] * x) < BASELINE_TOLERANCE_RATIO * height
-    off = math.hypot(float((y - line[0] - line[1] * x)[near].std()), 0.3)
+        off = y - line[0] - line[1] * x
+        near = abs(off) < BASELINE_TOLERANCE_RATIO * height
     middle = float(x[near].mean())
-    error = off / math.sqrt(float(((x[near] - middle) ** 2).sum()))
+    error = math.hypot(float(off[near].std()), 0.3) / math.sqrt(float(((x[near] - middle) ** 2).sum()))
     place = complex(middle, line[0] + line[1] * middle) * numpy.exp(1j * way)
     return TextRow(complex(place), way + math.atan(line[1]), error, chain)
 

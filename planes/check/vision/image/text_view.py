@@ -163,9 +163,10 @@ class _TextSight:
 
 def _block_numbers_of_rows(text: LetterRows) -> Indices:
     """The block number of each row: rows close below one another."""
-    place = numpy.array([r.place for r in text.rows]) * numpy.exp(-1j * text.way)
+    back = numpy.exp(-1j * text.way)
+    place = numpy.array([r.place for r in text.rows]) * back
     tall = numpy.array([float(numpy.median(text.heights[r.letters])) for r in text.rows])
-    s = (text.places * numpy.exp(-1j * text.way)).real
+    s = (text.places * back).real
     left, right = (numpy.array([f(s[r.letters]) for r in text.rows]) for f in (min, max))
     block = numpy.arange(len(place))
     for i in range(len(place)):
