@@ -21,23 +21,23 @@ def force_variants(w: PlanSteps) -> Variants:
 
 
 def _force_mistakes(w: PlanSteps, step: LayOff) -> Variants:
+    omitted = Same(step.makes, step.start)
+    backwards = w.scaled_length_steps(step)
     if step.quantity_represented == "tangential":
-        yield w.variant_at_step("reaction_along_loaded_link", step, Same(step.makes, step.start))
-        yield w.variant_at_step("tangential_reversed", step, *w.scaled_length_steps(step))
+        yield w.variant_at_step("reaction_along_loaded_link", step, omitted)
+        yield w.variant_at_step("tangential_reversed", step, *backwards)
         yield w.variant_at_step("force_doubled", step, *w.scaled_length_steps(step, 2.0))
         yield from _moment_equation_mistakes(w, step)
         return
     missing = "weight_missing" if step.quantity_represented == "weight" else "force_missing"
-    yield from _mistake_with_and_in_moments(w, step, missing, (Same(step.makes, step.start),), 0.0)
+    yield from _mistake_with_and_in_moments(w, step, missing, (omitted,), 0.0)
     yield from _mistake_with_and_in_moments(w, step, "force_doubled", w.scaled_length_steps(step, 2.0), 2.0)
     if step.quantity_represented == "weight":
         yield from _mass_for_weight_mistakes(w, step)
     elif step.quantity_represented == "inertia":
-        yield from _mistake_with_and_in_moments(
-            w, step, "inertia_along_acceleration", w.scaled_length_steps(step), -1.0
-        )
+        yield from _mistake_with_and_in_moments(w, step, "inertia_along_acceleration", backwards, -1.0)
     elif step.quantity_represented == "reaction":
-        yield from _mistake_with_and_in_moments(w, step, "reaction_not_reversed", w.scaled_length_steps(step), -1.0)
+        yield from _mistake_with_and_in_moments(w, step, "reaction_not_reversed", backwards, -1.0)
 
 
 def _mistake_with_and_in_moments(w: PlanSteps, step: LayOff, mistake: str, swap: Steps, factor: float) -> Variants:

@@ -29,13 +29,12 @@ def position_variants(w: PlanSteps, taken: ReadMarks, mu: float) -> Variants:
     for name, value in w.given.items():
         if name not in w.program.given_names:
             continue
+        users = w.steps_using(name)
         if letter_of(name) == "side":
             second = {"which": Phrase("assembly_second")}
-            yield from _variant_of_changed_givens(
-                w, "other_assembly", w.steps_using(name), {name: -float(value)}, about=second
-            )
+            yield from _variant_of_changed_givens(w, "other_assembly", users, {name: -float(value)}, about=second)
         elif letter_of(name) == "e" and value:
-            yield from _variant_of_changed_givens(w, "guide_offset_ignored", w.steps_using(name), {name: 0.0})
+            yield from _variant_of_changed_givens(w, "guide_offset_ignored", users, {name: 0.0})
     yield from _guide_through_pivot_mistakes(w)
     yield from _other_class_iii_assemblies(w)
     for step in w.own:
@@ -60,11 +59,12 @@ def _other_class_iii_assemblies(w: PlanSteps) -> Variants:
     cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
     for holds, cut in cuts.items():
         program = w.program.cut_to_names([name for hold in holds for name, _ in hold.input_names()])
-        things = draw_program(program, {**w.given, cut.mu: 1.0}).things
+        given = {**w.given, cut.mu: 1.0}
+        things = draw_program(program, given).things
         guess = cut.guess
         ties = [hold.lead_tie(things, 1.0, Arithmetic()) for hold in holds]
         size = things[guess.size]
-        drawn = draw_program(w.program.cut_to_names([cut.makes]), {**w.given, cut.mu: 1.0})[cut.makes]
+        drawn = draw_program(w.program.cut_to_names([cut.makes]), given)[cut.makes]
         terms = *guess.places, *(name for turn in guess.turns for name in turn)
         here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys(terms, 0.0)
         poses = all_assemblies(ties, size).poses
@@ -93,8 +93,9 @@ def _assur_class_by_basic_link(w: PlanSteps, cut: CutTrack) -> str:
 def _misses_point(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:
     """Whether the line of a guide misses a point."""
     way = cmath.rect(1.0, math.radians(float(w.given[angle])))
-    off = (complex(w.given[pivot]) - complex(w.given[place])) * way.conjugate()
-    return abs(off.imag) > LEAST_GUIDE_OFFSET * max(abs(complex(w.given[place])), 1e-9)
+    start = complex(w.given[place])
+    off = (complex(w.given[pivot]) - start) * way.conjugate()
+    return abs(off.imag) > LEAST_GUIDE_OFFSET * max(abs(start), 1e-9)
 
 
 def _driver_angle_mistakes(w: PlanSteps) -> Variants:

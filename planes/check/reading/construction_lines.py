@@ -26,6 +26,7 @@ MISREAD_SHARE_OF_MEETING = 0.0005  # the same for marks of such lines without he
 MISREAD_SHARE_OF_OVERRUNNING = 0.9  # the same for lines that overrun each other, or three and more on top of each other
 MOST_OVERRUN_MM = 20.0  # maximum overrun of lines
 LEAST_OVERRUNNING_ENDS = 2  # number of ends that prove it
+StrokeEnds = Sequence[tuple[int, complex]]  # the number of each end's stroke, and its place
 
 
 def misread_mark_share(sketch: ReadDrawing) -> float:
@@ -36,7 +37,7 @@ def misread_mark_share(sketch: ReadDrawing) -> float:
     if any(sketch.ways):
         return 0.0
     ends = [(k, z) for k in vector_strokes(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
-    met = share_of_meeting_ends(sketch.strokes, ends, FARTHEST_JOINED_ENDS_MM) >= LEAST_MEETING_SHARE
+    met = share_of_meeting_ends(sketch.strokes, ends) >= LEAST_MEETING_SHARE
     if len(ends) < MOST_STROKES_FOR_CROSSINGS and (
         _has_rows_of_strokes(sketch.strokes) or count_overrunning_ends(sketch.strokes, ends) >= LEAST_OVERRUNNING_ENDS
     ):
@@ -44,16 +45,17 @@ def misread_mark_share(sketch: ReadDrawing) -> float:
     return MISREAD_SHARE_OF_MEETING if met else MISREAD_SHARE
 
 
-def share_of_meeting_ends(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float) -> float:
+def share_of_meeting_ends(strokes: Strokes, ends: StrokeEnds) -> float:
     """The share of the ends of strokes that meet others."""
-    return sum(
-        _is_met_by_another(strokes, z, (k,), near) for k, z in ends if len(ends) < MOST_STROKES_FOR_CROSSINGS
-    ) / max(len(ends), 1)
+    if len(ends) >= MOST_STROKES_FOR_CROSSINGS:
+        return 0.0
+    met = sum(_is_met_by_another(strokes, z, (k,), FARTHEST_JOINED_ENDS_MM) for k, z in ends)
+    return met / max(len(ends), 1)
 
 
-def count_overrunning_ends(strokes: Strokes, ends: Sequence[tuple[int, complex]]) -> int:
+def count_overrunning_ends(strokes: Strokes, ends: StrokeEnds) -> int:
     """The number of ends slightly beyond a crossing with another stroke, or its end on theirs, that meet none."""
-    return sum(_crossed(strokes, k, z) for k, z in ends if not _is_met_by_another(strokes, z, (k,), SNAPPED_ENDS_MM))
+    return sum(_crossed(strokes, k, z) for k, z in ends if not _is_met_by_another(strokes, z, (k,)))
 
 
 def _crossed(strokes: Strokes, k: int, z: complex) -> bool:

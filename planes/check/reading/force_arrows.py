@@ -77,17 +77,18 @@ class ForceArrows:
 
     def __post_init__(self) -> None:
         sketch = self.sketch
+        bench = self.bench
         many = len(sketch.strokes) > MOST_ARROWS and sum(map(bool, sketch.ways)) >= LEAST_HEADED_STROKES
         self.headed = many or bool(strokes_with_heads(sketch))
-        self.plan = PlanLines(self.bench, to_fit=False)
+        self.plan = PlanLines(bench, to_fit=False)
         self.written = self.needed = numpy.zeros(0, bool)  # names on the drawing; vectors that must be there
         self.prices = numpy.zeros((0, 0))  # cost of each name for each direction of an arrow
-        self.sides = polygon_sides(self.bench.plans, self.bench.plan)
-        loads = known_force_labels(self.bench.plans, self.bench.plan)
-        segments = self.bench.plans.segments_by_plan.get(self.bench.plan, ())
+        self.sides = polygon_sides(bench.plans, bench.plan)
+        loads = known_force_labels(bench.plans, bench.plan)
+        segments = bench.plans.segments_by_plan.get(bench.plan, ())
         own = {s.name: (s.start, s.end) for s in self.sides}
         self.ends = own | {vector_end_label(s.name): (s.start, s.end) for s in segments} | own
-        leaning = (f"{letter}_{index}" for *_, index in self.bench.leaning_reactions for letter in "NT")
+        leaning = (f"{letter}_{index}" for *_, index in bench.leaning_reactions for letter in "NT")
         self.names = [*self.ends, *leaning]  # these may be drawn, too
         self.reactions = {s.name for s in self.sides if s.end not in loads}
         self.own = numpy.array([n in own for n in self.names])

@@ -29,8 +29,9 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
     """
     free = _free_end_counts(sketch.strokes)
     gone = set[int]()
-    loose = {k for k, ends in enumerate(free) if ends == 2 and not sketch.end_with_head(k)}
-    for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.end_with_head(k)}):
+    bare = {k: ends for k, ends in enumerate(free) if ends and not sketch.end_with_head(k)}
+    loose = {k for k, ends in bare.items() if ends == 2}
+    for held in (loose, {*bare}):
         for alike in _parallel_groups(sketch.strokes, sorted(held)):
             gone.update(_strokes_in_even_rows(sketch.strokes, alike, loose))
     if gone:

@@ -99,7 +99,7 @@ class Subpath:
 
 def read_subpaths(e: ElementTree.Element) -> Iterator[Subpath]:
     """The parts of a line, a polyline, a polygon or a path, as far as it can be read."""
-    pen, corners, straight = RecordingPen(), list[complex](), list[bool]()
+    pen, corners, straight = RecordingPen(), [], list[bool]()
 
     def arc_to(*arc: object) -> None:
         pen.value.append(("arcTo", arc[-1:]))  # only the end of an arc

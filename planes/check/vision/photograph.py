@@ -87,10 +87,9 @@ def _mark_setting_scale(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[
     """The mark pointed to that sets a picture's scale, and its position; none if the file gives the scale."""
     if flat.told is None or flat.by_file:
         return None
-    names = bench.marks_by_label(known.marks)
-    if flat.told[0] in names:
-        return (flat.told[0], flat.sheet_point_of_pixel(names[flat.told[0]]))
-    return None
+    name = flat.told[0]
+    place = bench.marks_by_label(known.marks).get(name)
+    return None if place is None else (name, flat.sheet_point_of_pixel(place))
 
 
 def _correct_camera_tilt(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
