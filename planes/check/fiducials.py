@@ -17,11 +17,12 @@ MARK_PATTERNS = (
     (0b00000, 0b10110, 0b00101, 0b11010, 0b01001),
 )
 Size = tuple[float, float]  # width and height
+SHEET_MM = (297.0, 210.0)  # A4 landscape
 Square = tuple[complex, float]  # centre and half side
 MARK_CELLS_PER_SIDE = 7  # five bits plus a black border on each side
 
 
-def corner_mark_centres(size_mm: Size) -> tuple[complex, complex, complex, complex]:
+def corner_mark_centres(size_mm: Size = SHEET_MM) -> tuple[complex, complex, complex, complex]:
     """The centres, mm on the sheet, y up: lower left, lower right, upper right, upper left."""
     left, other = MARK_INSETS_MM
     w, h = size_mm
@@ -34,7 +35,6 @@ def corner_mark_cells(index: int) -> list[list[bool]]:
     return [[True] * MARK_CELLS_PER_SIDE, *inner, [True] * MARK_CELLS_PER_SIDE]
 
 
-SHEET_MM = (297.0, 210.0)  # A4 landscape
 # margins without any plan; step by which the pole is moved
 LEFT_MARGIN_MM = 46.0
 OTHER_MARGIN_MM = 13.0

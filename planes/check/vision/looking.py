@@ -83,24 +83,20 @@ def examine_picture(
     plan = PlanLines(bench, flat.printed, held, flat.by == "marks")
     pole = likeliest_pole(plan, ink) if near is None else near
     seen = Explanation(plan, ink, pole)
-    look = Look(
-        flat, 0j if near is None else pole, cover=seen.likeliest_drawing.cover, explained=seen.explained_ink_share
-    )
-    least = LEAST_EXPLAINED_SHARES[near is None]
-    if seen.likeliest_drawing.cover < LEAST_COVER or seen.likeliest_drawing.cover * seen.explained_ink_share < least:
+    likeliest = seen.likeliest_drawing
+    look = Look(flat, 0j if near is None else pole, cover=likeliest.cover, explained=seen.explained_ink_share)
+    if look.cover < LEAST_COVER or look.cover * look.explained < LEAST_EXPLAINED_SHARES[near is None]:
         return look
     look.pole = pole
     paper = look.paper
     paper.spots = convert_to_true_mm(
         flat, pole, seen.sheet_scale, with_scale_vector_errors(flat, pole, seen.seen_marks(), bench)
     )
-    paper.untold, paper.left, paper.named = (
-        [*seen.unverified_marks(), *seen.marks_without_clear_lines()],
-        seen.faint_vectors(),
-        seen.marks_seen_by_name_only(),
-    )
-    if seen.likeliest_drawing.hypothesis.is_right and seen.likeliest_drawing.strange > MOST_STRAY_INK_MM:
-        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.likeliest_drawing.strange:.0f}")))
+    paper.untold = [*seen.unverified_marks(), *seen.marks_without_clear_lines()]
+    paper.left = seen.faint_vectors()
+    paper.named = seen.marks_seen_by_name_only()
+    if likeliest.hypothesis.is_right and likeliest.strange > MOST_STRAY_INK_MM:
+        flat.notes.append(Phrase("check_strangers", mm=Written(f"{likeliest.strange:.0f}")))
     motion = bench.kind not in ("position", "force")
     paper.signs = (
         seen.transformed_plan_faults()

@@ -143,7 +143,7 @@ def isolate_sheet(grey: Greys, marks: SheetMarks) -> Greys:
 
 def _mark_corners_mm(number: int) -> list[complex]:
     """Corners of a mark on the sheet, mm, clockwise from the upper left."""
-    return [corner_mark_centres(SHEET_MM)[number] + MARK_SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
+    return [corner_mark_centres()[number] + MARK_SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
 
 
 def _refined_mark_corners(grey: Greys, quad: Array) -> Array:

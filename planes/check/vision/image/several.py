@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy
 
-from planes.check.fiducials import MARK_SIDE_MM, SHEET_MM, corner_mark_centres
+from planes.check.fiducials import MARK_SIDE_MM, corner_mark_centres
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
@@ -73,7 +73,7 @@ def _sheet_area_px2(sheet: SheetMarks) -> float:
 def _marks_of_same_sheet(seed: Found, marks: Sequence[Found]) -> list[Found]:
     """A mark, and those at the positions predicted from it."""
     marks_of_sheet = [seed]
-    for number in range(len(corner_mark_centres(SHEET_MM))):
+    for number in range(len(corner_mark_centres())):
         near = [(_prediction_error_mm(seed, one), k) for k, one in enumerate(marks) if one[0] == number != seed[0]]
         off, k = min(near, default=(PREDICTED_MARK_TOLERANCE_MM, 0))
         if off < PREDICTED_MARK_TOLERANCE_MM:
@@ -86,7 +86,7 @@ def _prediction_error_mm(seed: Found, other: Found) -> float:
     corners = seed[1] @ numpy.array([1, 1j])
     right = (corners[[1, 2]] - corners[[0, 3]]).mean()
     up = (corners[[0, 1]] - corners[[3, 2]]).mean()
-    by = (corner_mark_centres(SHEET_MM)[other[0]] - corner_mark_centres(SHEET_MM)[seed[0]]) / MARK_SIDE_MM
+    by = (corner_mark_centres()[other[0]] - corner_mark_centres()[seed[0]]) / MARK_SIDE_MM
     there = corners.mean() + by.real * right + by.imag * up
     seen = (other[1] @ numpy.array([1, 1j])).mean()
     return float(abs(seen - there) / max(abs(right), abs(up), 1e-9) * MARK_SIDE_MM)
