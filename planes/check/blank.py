@@ -14,17 +14,17 @@ def plan_fitting_blank(bench: PreparedPlan) -> PreparedPlan:
 
     A plan of motion has its pole in the middle of the sheet, so that it leaves room in every direction.
     """
-    plan = bench.asked.plan
+    plan = bench.plan
     if bench.asked.mu:
         return bench
     if plan_kind(plan) not in ("position", "force"):
         aside = abs(blank_pole(bench) - pole_position([])) > MOST_POLE_OFFSET_MM
         reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
         if aside:
-            return bench.at_scale(largest_fitting_scale(plan, reach, SHEET_MM[1] / 2 - OTHER_MARGIN_MM), fixed=True)
+            return bench.at_scale(largest_fitting_scale(plan, reach, SHEET_MM[1] / 2 - OTHER_MARGIN_MM))
         return bench
     while not has_room([*bench.true_marks.values()]):
-        bench = bench.at_scale(largest_fitting_scale(plan, 1.0, NEXT_SMALLER_SCALE_FACTOR * bench.said_mu), fixed=True)
+        bench = bench.at_scale(largest_fitting_scale(plan, 1.0, NEXT_SMALLER_SCALE_FACTOR * bench.said_mu))
     return bench
 
 

@@ -16,11 +16,13 @@ MARK_PATTERNS = (
     (0b11000, 0b01101, 0b10010, 0b00110, 0b11011),
     (0b00000, 0b10110, 0b00101, 0b11010, 0b01001),
 )
+Size = tuple[float, float]  # width and height
+SHEET_MM = (297.0, 210.0)  # A4 landscape
 Square = tuple[complex, float]  # centre and half side
 MARK_CELLS_PER_SIDE = 7  # five bits plus a black border on each side
 
 
-def corner_mark_centres(size_mm: tuple[float, float]) -> tuple[complex, complex, complex, complex]:
+def corner_mark_centres(size_mm: Size = SHEET_MM) -> tuple[complex, complex, complex, complex]:
     """The centres, mm on the sheet, y up: lower left, lower right, upper right, upper left."""
     left, other = MARK_INSETS_MM
     w, h = size_mm
@@ -33,7 +35,6 @@ def corner_mark_cells(index: int) -> list[list[bool]]:
     return [[True] * MARK_CELLS_PER_SIDE, *inner, [True] * MARK_CELLS_PER_SIDE]
 
 
-SHEET_MM = (297.0, 210.0)  # A4 landscape
 # margins without any plan; step by which the pole is moved
 LEFT_MARGIN_MM = 46.0
 OTHER_MARGIN_MM = 13.0
@@ -45,14 +46,14 @@ MOST_POLE_STEPS = 12  # maximum number of steps of the pole away from printed ma
 PRINTED_BORDER_MM = 2.0  # border around printed marks in which no drawing is detected
 
 
-def code_centre(size_mm: tuple[float, float] = SHEET_MM) -> complex:
+def code_centre(size_mm: Size = SHEET_MM) -> complex:
     """The centre of the code: left of the upper right corner mark, upper edges aligned."""
     return corner_mark_centres(size_mm)[2] - complex(
         MARK_SIDE_MM / 2 + CODE_GAP_MM + CODE_SIDE_MM / 2, (CODE_SIDE_MM - MARK_SIDE_MM) / 2
     )
 
 
-def mark_and_code_squares(size_mm: tuple[float, float] = SHEET_MM) -> list[Square]:
+def mark_and_code_squares(size_mm: Size = SHEET_MM) -> list[Square]:
     """Printed squares of a sheet, the code last: centre, and half side of the area in which no drawing is detected."""
     return [
         *((z, MARK_SIDE_MM / 2 + PRINTED_BORDER_MM) for z in corner_mark_centres(size_mm)),

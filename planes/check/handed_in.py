@@ -12,6 +12,7 @@ from planes.check.grading.paper import Known, ReadPaper, read_table, with_pointe
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.reading.opened import (
     LARGEST_FILE_BYTES,
+    file_error,
     hash_of_content,
     read_bounded_bytes,
     silenced_output,
@@ -130,7 +131,7 @@ def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
     }
     sheets = [s for s in sheets if s.file not in beside]
     if not sheets:
-        raise PlanesError(Phrase("check_empty_folder", file=str(place)))
+        raise file_error("check_empty_folder", place)
     return sheets
 
 
@@ -175,7 +176,7 @@ def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
             from planes.check.vision.photograph import read_picture
 
             return read_picture(file, prepare(asked), known)
-        raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+        raise file_error("check_suffix", file, suffix=suffix)
 
 
 @contextmanager
@@ -203,7 +204,7 @@ def open_picture(file: str, page: int | None = None) -> DecodedPicture | None:
 
             return load(file, page)
         if suffix not in (*VECTOR_SUFFIXES, *TABLE_SUFFIXES):
-            raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
+            raise file_error("check_suffix", file, suffix=suffix)
     return None
 
 
@@ -211,14 +212,14 @@ def _rejection_reason(file: str, suffix: str) -> PlanesError | None:
     """The reason to reject a file, where its first or last bytes say more than that it cannot be read."""
     data = read_bounded_bytes(file, LARGEST_FILE_BYTES)
     if not data:
-        return PlanesError(Phrase("check_empty", file=file))
+        return file_error("check_empty", file)
     for key, (suffixes, begins) in UNSUPPORTED_FORMATS.items():
         if suffix in suffixes or re.match(begins, data, re.DOTALL):
-            return PlanesError(Phrase(key, file=file, suffix=suffix))
+            return file_error(key, file, suffix=suffix)
     if data.startswith(b"%PDF-") and b"/Encrypt" in data:
-        return PlanesError(Phrase("check_locked", file=file))
+        return file_error("check_locked", file)
     cut = any(data.startswith(head) and end not in data[-1024:] for head, end in FILE_END_BYTES.items())
-    return PlanesError(Phrase("check_cut", file=file)) if cut else None
+    return file_error("check_cut", file) if cut else None
 
 
 def _read_lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
@@ -230,16 +231,16 @@ def _read_lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
     from planes.check.reading.pdf import read_pdf
     from planes.check.reading.svg import read_embedded_svg, read_svg
 
-    pixels = known.pole is not None or known.marks or known.format
+    pixels = known.pole is not None or known.format
     match suffix:
-        case ".pdf":
-            if known.pole is not None or known.format:
-                return None
+        case ".pdf" if not pixels:
             return read_pdf(file, known.page or 0)
-        case ".png":
-            return None if pixels else read_embedded_svg(file)
-    if suffix in VECTOR_SUFFIXES:
-        return {".svg": read_svg, ".dxf": read_dxf}[suffix](file)
+        case ".png" if not (pixels or known.marks):
+            return read_embedded_svg(file)
+        case ".svg":
+            return read_svg(file)
+        case ".dxf":
+            return read_dxf(file)
     return None
 
 

@@ -22,7 +22,7 @@ from planes.plans.quantities import quantities_by_name
 from planes.words import Phrase, Written, sentences_with_prefix
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE_LABEL, label_of, plan_kind
+from planes.words.names import POLE_LABEL, label_of
 from planes.words.records import Described
 
 # a mark at this distance, and half its length, from the constructed point is not called right if errors may be as large
@@ -38,11 +38,11 @@ class Outcome(Described):
 
     bench: PreparedPlan
     paper: ReadPaper
+    notes: list[Phrase]
     grading: Grading | None = None
     segments: Account | None = None
     results: Account | None = None
     unreadable: Phrase | None = None
-    notes: list[Phrase] = field(default_factory=list)
     unknown: dict[str, str] = field(default_factory=dict)  # unknown names in tables, with the nearest known name
     missing: list[str] = field(default_factory=list)  # results that were asked for and are missing
     unread: list[str] = field(default_factory=list)  # results in unknown units
@@ -132,7 +132,7 @@ class Outcome(Described):
         if self.unreadable:
             return []
         left = [*self.unread, *self.unknown, *self.missing, *self.paper.left]
-        left[:0] = self.results.undecidable_figures if self.results else ()
+        left[:0] = [s.figure.name for s in self.results.scored if s.verdict == "too_near"] if self.results else ()
         if self.grading is None:
             return left
         misses = {} if self.wrong else self.grading.judgement.misses
@@ -161,15 +161,15 @@ class Outcome(Described):
     def right_sentence(self, left: tuple[Phrase, ...]) -> Phrase:
         """The sentence for a right drawing, or for right results alone; ``left`` lists what is not judged."""
         key = "check_right_as_seen" if left else "check_right_results" if self.has_only_results else "check_right"
-        what = Phrase("check_results") if self.has_only_results else plan_phrase(self.bench.asked.plan)
+        what = Phrase("check_results") if self.has_only_results else plan_phrase(self.bench.plan)
         return Phrase(key, plan=what, left=left)
 
 
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
     """Checks one paper. :class:`PlanesError` if the scene or the question is wrong."""
     bench = prepare(asked)
-    bench = bench.at_scale(paper.mu, fixed=True) if paper.mu and not asked.mu else bench
-    out = Outcome(bench, paper, notes=list(paper.notes))
+    bench = bench if asked.mu else bench.at_scale(paper.mu)
+    out = Outcome(bench, paper, list(paper.notes))
     try:
         _judge_paper(out)
         if paper.mu and not asked.mu and not (out.mistake or paper.signs):
@@ -192,7 +192,7 @@ def _outcome_at_common_scale(asked: Asked, out: Outcome) -> Outcome | None:
     ):
         return None
     paper = replace(out.paper, signs=[plan_scale_fault(out.bench, free.mu)])
-    scaled = Outcome(out.bench.at_scale(free.mu, fixed=True), paper, notes=list(paper.notes))
+    scaled = Outcome(out.bench.at_scale(free.mu), paper, list(paper.notes))
     _judge_paper(scaled)
     if scaled.unreadable or (scaled.grading and scaled.grading.fault):
         return None
@@ -239,7 +239,7 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
     if g is None or g.said_mu:
         return []
     mu_text = bench.written_scale(float(f"{g.mu:.3g}"))
-    said = bench.asked.scene.mu.get(plan_kind(bench.asked.plan))
+    said = bench.asked.scene.mu.get(bench.kind)
     return [
         Phrase("check_mu", mu=mu_text, said=bench.written_scale(said)) if said else Phrase("check_mu_found", mu=mu_text)
     ]
@@ -247,12 +247,12 @@ def _scale_notes(out: Outcome) -> list[Phrase]:
 
 def _judge_segments(out: Outcome) -> None:
     bench = out.bench
-    read = segment_figures(out.bench, out.paper.segments)
+    read = segment_figures(bench, out.paper.segments)
     out.notes += read.notes
     out.unknown |= read.unknown
     if not (figures := read.figures):
         return
-    tried: list[tuple[int, bool, Account]] = []
+    tried = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
         free = true_plan_with_errors(bench, [], mu, {})
         reckoned = judge_figures(
@@ -279,19 +279,18 @@ def _too_few_lengths_reason(lengths: Account, free: bool) -> Phrase | None:
 def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[float]:
     """The stated scale and those implied by the lengths."""
     scales = [bench.said_mu]
-    if bench.asked.mu:
-        return scales
     free = true_plan_with_errors(bench, [], bench.said_mu, {})
-    for f in figures:
+    for f in () if bench.asked.mu else figures:
         true = float(abs(f.read(free.things)[0]))
-        if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in scales):
-            scales.append(bench.said_mu * f.given / true)
+        mu = bench.said_mu * f.given / true if true > 5 else 0.0
+        if mu > 0 and all(abs(mu / m - 1) > 0.01 for m in scales):
+            scales.append(mu)
     return scales[:6]
 
 
 def _judge_results(out: Outcome) -> None:
     bench = out.bench
-    known = quantities_by_name(out.bench.plans)
+    known = quantities_by_name(bench.plans)
     asked = () if out.paper.spots or out.paper.segments else bench.asked.answers or bench.asked.scene.find or ()
     read = read_results(known, bench.naming.name_finder(known, poles=False), out.paper.results, asked)
     out.notes += read.notes

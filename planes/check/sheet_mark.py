@@ -48,7 +48,7 @@ class SheetMark:
     def from_asked(cls, asked: Asked) -> SheetMark:
         """The mark of a blank, from its scene."""
         scene = asked.scene
-        student = str(asked.scene.sheet.get("student", ""))
+        student = str(scene.sheet.get("student", ""))
         return cls(Path(scene.file).stem, scene.variant or "", student, asked.plan, asked.value, asked.mu)
 
     @property

@@ -111,7 +111,7 @@ class ClassDesk:
             for number in range(1, seen.blanks + 1):
                 self.judge_sheet(replace(sheet, page=number))
             return
-        if one.found and one.found.verdict != "unreadable" and one.found.bench.asked.plan == self.args.plan:
+        if one.found and one.found.verdict != "unreadable" and one.found.bench.plan == self.args.plan:
             self.read[sheet.page or 1] = one.found
         self.work.add_checked_drawing(one, source, task)
 

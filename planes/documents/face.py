@@ -139,7 +139,7 @@ def check(
     known_mu = None if mu is None else read_mu(mu, plan_kind(plan))
     answers = main_answer_names(scene, at, plan) if str(drawing).lower().endswith(TABLE_SUFFIXES) else ()
     asked = Asked(scene, plan, at, known_mu, answers=answers)
-    known = Known(pole, marks or {}, page=None if page is None else page - 1)
+    known = Known(pole, dict(marks or {}), page=None if page is None else page - 1)
     return judge(asked, read_paper(str(drawing), asked, known))
 
 

@@ -5,6 +5,7 @@ Places, vectors and directions are complex numbers, single or arrays. Each funct
 raised here: a sharpness of zero or less means that there is no valid answer.
 """
 
+import math
 from collections.abc import Collection, Iterable
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real
@@ -58,6 +59,11 @@ def off_segment(z: complex, a: complex, b: complex) -> float:
     """The distance of a place from the segment between two others."""
     t = 0.0 if a == b else min(max(((z - a) / (b - a)).real, 0.0), 1.0)
     return abs(a + t * (b - a) - z)
+
+
+def distance_to_nearest(z: complex, places: Iterable[complex]) -> float:
+    """The distance of a place from the nearest of others; infinite if there are none."""
+    return min((abs(z - w) for w in places), default=math.inf)
 
 
 def greatest_distance(places: Collection[complex]) -> float:

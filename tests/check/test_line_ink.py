@@ -56,7 +56,7 @@ def test_a_drawing_as_large_as_a_town_is_asked_as_any_other() -> None:
 
 def test_a_plan_larger_than_any_sheet_is_weighed_by_no_more_hypotheses() -> None:
     bench = confusion.bench("six-link", "acceleration")
-    larger = [PlanLines(bench.at_scale(bench.said_mu * times), to_fit=False) for times in (10, 1000)]
+    larger = [PlanLines(bench.at_scale(bench.said_mu * times, fixed=False), to_fit=False) for times in (10, 1000)]
     few, many = (
         len(transformed_plan_hypotheses(plan)) + len(trial_displacements(plan, Hypothesis())) for plan in larger
     )

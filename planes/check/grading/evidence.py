@@ -10,11 +10,12 @@ from collections.abc import Iterable, Mapping
 
 import numpy
 
-from planes.check.grading.handwork import Hand, Miss
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.handwork import Hand, Miss, Misses
+from planes.check.grading.paper import ReadMarks
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
-from planes.words.names import POLE_LABEL, full_mark_name, plan_kind
+from planes.geometry.plane import distance_to_nearest
+from planes.words.names import POLE_LABEL, full_mark_name
 
 MOST_CHANCE_OF_RANDOM_MARKS = 0.02  # acceptable probability that random marks pass: one vector of 50 mm at a free scale
 MOST_CHANCE_OF_RANDOM_LENGTHS = 0.05  # the same for lengths, each of which carries half the evidence of a mark
@@ -35,9 +36,7 @@ def marks_extent_mm(hand: Hand, marks: Iterable[str]) -> float:
     return max((abs(hand.taken[m].place) for m in marks if m in hand.taken), default=0.0)
 
 
-def chance_of_random_marks(
-    hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap_mm: float | None = None
-) -> float:
+def chance_of_random_marks(hand: Hand, misses: Misses, limit: float, free: bool, gap_mm: float | None = None) -> float:
     """The probability that random marks on a drawing of this size are as right; ``free``: the scale is free, too.
 
     A mark that coincides with another (or the pole) is no separate evidence; a polygon that closes within ``gap_mm``
@@ -49,7 +48,7 @@ def chance_of_random_marks(
     for mark, miss in misses.items():
         place = hand.taken[mark].place
         reach = limit * miss.mean_sigma_mm
-        if not isinstance(hand.program.steps_by_result[mark], Same) and all(abs(place - z) > reach for z in stand):
+        if not isinstance(hand.program.steps_by_result[mark], Same) and distance_to_nearest(place, stand) > reach:
             shares.append(min(reach / size, 1.0) ** 2)
         stand.append(place)
     if not free or not shares:
@@ -64,32 +63,28 @@ def chance_of_random_lengths(shares: Iterable[float], free: bool) -> float:
     return math.prod(chances) / (min(chances) if free else 1.0)
 
 
-def candidate_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
+def candidate_scales(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float, float]]:
     """Candidate scales (mm per unit) with their relative errors: the stated one first.
 
     Then the scale on which most vectors agree, taken from the most accurate of them.
     """
-    scales = [(bench.said_mu, 0.0)]
-    if bench.asked.mu:
-        return scales
-    shown = _drawn_to_true_ratios(bench, taken)
+    shown = [] if bench.asked.mu else _drawn_to_true_ratios(bench, taken)
     groups = [
         [pair for pair in shown if abs(pair[0] / one - 1) < EQUAL_SCALE_DIFFERENCE + error] for one, error in shown
     ]
-    tried: list[float] = [1.0]
+    scales = [(1.0, 0.0)]
     for group in sorted(groups, key=lambda g: (-len(g), min(error for _, error in g))):
         ratio, error = min(group, key=lambda pair: pair[1])
-        if all(abs(ratio / t - 1) > 0.01 for t in tried):
-            tried.append(ratio)
-            scales.append((bench.said_mu * ratio, error))
-    return scales[:MOST_CANDIDATE_SCALES]
+        if all(abs(ratio / other - 1) > 0.01 for other, _ in scales):
+            scales.append((ratio, error))
+    return [(bench.said_mu * ratio, error) for ratio, error in scales[:MOST_CANDIDATE_SCALES]]
 
 
-def _drawn_to_true_ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
+def _drawn_to_true_ratios(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float, float]]:
     """Ratios of drawn to true lengths with their errors: of the vectors in a force plan, else from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    force = plan_kind(bench.asked.plan) == "force"
-    pole = full_mark_name(bench.asked.plan, POLE_LABEL)
+    force = bench.kind == "force"
+    pole = full_mark_name(bench.plan, POLE_LABEL)
     ratios = []
     for mark in bench.marks:
         step = bench.program.steps_by_result[mark]
@@ -114,27 +109,23 @@ def misread_log_density(off: complex, broad: float, doubt: float) -> float:
     if not doubt:
         return -math.inf
     near = -math.log(2 * math.pi * MISREADING_SPREAD_MM**2) - 1.5 * math.log1p(abs(off) ** 2 / MISREADING_SPREAD_MM**2)
-    return math.log(doubt) + float(numpy.logaddexp(near, math.log(MISREAD_ANYWHERE_SHARE) + broad))
+    return math.log(doubt) + log_sum(near, math.log(MISREAD_ANYWHERE_SHARE) + broad)
 
 
 def right_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     """Logarithm of the density of the miss of a right mark, with drawing and reading errors."""
     if not math.isfinite(miss.sigmas):
         return -math.inf
-    return float(numpy.logaddexp(miss.log_density + math.log1p(-doubt), misread_log_density(miss.off, broad, doubt)))
+    return log_sum(miss.log_density + math.log1p(-doubt), misread_log_density(miss.off, broad, doubt))
 
 
 def any_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     """The same for any mark, including occasional slips."""
-    return float(
-        numpy.logaddexp(
-            right_mark_log_density(miss, broad, doubt) + math.log1p(-SLIP_PROBABILITY),
-            broad + math.log(SLIP_PROBABILITY),
-        )
-    )
+    right = right_mark_log_density(miss, broad, doubt) + math.log1p(-SLIP_PROBABILITY)
+    return log_sum(right, broad + math.log(SLIP_PROBABILITY))
 
 
-def log_prob_no_slips(misses: Mapping[str, Miss], broad: float, doubts: Mapping[str, float]) -> float:
+def log_prob_no_slips(misses: Misses, broad: float, doubts: Mapping[str, float]) -> float:
     """Logarithm of the probability that none of the marks slipped."""
     return sum(
         right_mark_log_density(m, broad, doubts[n])
@@ -149,10 +140,9 @@ def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> f
 
     ``right`` is the part without slips, ``otherwise`` another reading under which it is right, ``mistakes`` one each.
     """
-    named = math.log(SLIP_PROBABILITY) + float(numpy.logaddexp.reduce([-math.inf, *mistakes]))
+    named = math.log(SLIP_PROBABILITY) + log_sum(*mistakes)
     slipped = math.log(-math.expm1(right)) if right < 0 else -math.inf
-    good = float(numpy.logaddexp(right, otherwise))
-    return logistic(float(numpy.logaddexp(named, slipped)) - good)
+    return logistic(log_sum(named, slipped) - log_sum(right, otherwise))
 
 
 def chance_number_wrong(off: float, sigma: float, size: float) -> float:
@@ -160,6 +150,11 @@ def chance_number_wrong(off: float, sigma: float, size: float) -> float:
     drawn = -0.5 * (off / sigma) ** 2 - math.log(sigma * math.sqrt(2 * math.pi)) if sigma else -math.inf
     slipped = math.log(SLIP_PROBABILITY) - math.log(2 * max(size, off, sigma))
     return logistic(slipped - drawn)
+
+
+def log_sum(*logarithms: float) -> float:
+    """The logarithm of the sum of numbers given by their logarithms."""
+    return float(numpy.logaddexp.reduce([-math.inf, *logarithms]))
 
 
 def logistic(odds: float) -> float:

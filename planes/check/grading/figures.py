@@ -67,20 +67,19 @@ def read_results(
     """The figures of a table of results, in SI; two names of one quantity are equivalent."""
     meant = {text: names.possible_names(text) for text, *_ in written}
     sure = {text: one[0] for text, one in meant.items() if len({known[n].json_path for n in one}) == 1}
-    figures = list[WrittenNumber]()
-    unknown = dict[str, str]()
-    strange = dict[str, Phrase]()
+    figures = []
+    unknown = {}
+    strange = {}
     for text, value, unit in written:
         name = sure.get(text)
-        in_si = unit_in_si(unit, known[name].column_to_write.unit if name else "")
+        right = known[name].column_to_write.unit if name else ""
+        in_si = unit_in_si(unit, right)
         if in_si is None:
             strange[text] = Phrase("check_unit", name=text, unit=unit)
         elif name is None:
             unknown[text] = _nearest_known_name(text, names)
-        elif in_si[1] not in ("", known[name].column_to_write.unit):
-            strange[text] = Phrase(
-                "check_other_unit", name=text, unit=unit, right=Phrase(known[name].column_to_write.unit)
-            )
+        elif in_si[1] not in ("", right):
+            strange[text] = Phrase("check_other_unit", name=text, unit=unit, right=Phrase(right))
         else:
             figures.append(quantity_figure(name, known[name], value * in_si[0]))
     given = {known[f.name].json_path for f in figures}
@@ -99,7 +98,7 @@ def quantity_figure(name: str, q: Quantity, value: float) -> WrittenNumber:
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
-    plan = bench.asked.plan
+    plan = bench.plan
     labels = [label_of(m) for m in bench.marks]
     ends = [
         n for n in (POLE_LABEL, *labels) if full_mark_name(plan, n) in bench.program.result_names

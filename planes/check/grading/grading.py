@@ -1,7 +1,6 @@
 """Checks a person's drawing of one plan: aligns it, finds its scale, grades every mark, names the first mistake."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -14,16 +13,16 @@ from planes.check.grading.evidence import (
     log_prob_no_slips,
 )
 from planes.check.grading.followers import Showing, determining_mark_sets, source_marks_of_elements
-from planes.check.grading.handwork import Hand, Miss
+from planes.check.grading.handwork import Hand, Miss, Misses
 from planes.check.grading.judging import OMISSION_SUFFIXES, Judgement, judge, mark_verdicts
 from planes.check.grading.off_vectors import wrong_vector_phrase
-from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.paper import ReadMarks, ReadPaper
 from planes.check.grading.polygons import Rebuilt, align_marks, marks_of_earlier_plans
 from planes.check.grading.prepared_plan import PreparedPlan, mistake_variants
 from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.skill import TOLERANCE_SIGMAS
 from planes.drafting.steps import LayOff, Same, Step
-from planes.plans import Plans
+from planes.geometry.plane import distance_to_nearest
 from planes.plans.scales import ZERO_VECTOR_MM, plan_extent
 from planes.words import Phrase, Written
 from planes.words.names import full_mark_name, label_of, letter_of, mu_name, plan_kind, plan_of
@@ -38,13 +37,12 @@ LEAST_FITTING_SHARE = 0.9  # share of the other marks that must be seen and righ
 class Grading:
     """A drawing graded at one scale."""
 
-    plans: Plans
     hand: Hand
     truth: Drawing
     marks: list[str]
     mu: float
     judgement: Judgement
-    free: Mapping[str, Miss]
+    free: Misses
     loose: Hand  # the plan without the person's own marks
     said_mu: bool
     rebuilt: Rebuilt | None
@@ -145,9 +143,8 @@ class Grading:
         if left := self.missing_force:
             return Phrase(f"mistake_{'weight' if letter_of(left) == 'G' else 'force'}_missing", mark=left)
         gap = self.wrong_closing_error_mm
-        closing = self.rebuilt.closing if self.rebuilt else ""
-        if gap:
-            return Phrase("mistake_not_closed", mark=closing, gap=Written(f"{gap:.1f}"))
+        if gap and self.rebuilt:
+            return Phrase("mistake_not_closed", mark=self.rebuilt.closing, gap=Written(f"{gap:.1f}"))
         return None
 
     @property
@@ -159,12 +156,10 @@ class Grading:
             return named.sentence
         if not wrong:
             return self.polygon_fault
-        mark = label_of(wrong[0])
         off = self.judgement.misses[wrong[0]].off
-        drawable = math.isfinite(abs(off))
-        if drawable:
+        if math.isfinite(abs(off)):
             return wrong_vector_phrase(self.hand, wrong[0], off)
-        return Phrase("check_undrawable", mark=mark)
+        return Phrase("check_undrawable", mark=label_of(wrong[0]))
 
     @property
     def unverified_marks(self) -> list[str]:
@@ -227,7 +222,8 @@ class Grading:
         judgement = self.judgement
         apart = [0j]
         for place in (self.hand.taken[m].place for m in judgement.misses):
-            apart += [place] if all(abs(place - z) > MOST_MISREADING_MM for z in apart) else []
+            if distance_to_nearest(place, apart) > MOST_MISREADING_MM:
+                apart.append(place)
         if len(apart) < 3 or not self.fault:
             return len(apart) > 2
         off = max((abs(judgement.misses[m].off) for m in judgement.wrong), default=0.0)
@@ -245,11 +241,11 @@ class Grading:
 
 def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """Grades a paper of marks at the scale that explains it best; None if no mark of the plan was read."""
-    spots, rebuilt, unknown = align_marks(bench, bench.asked.plan, paper)
+    spots, rebuilt, unknown = align_marks(bench, bench.plan, paper)
     if not spots:
         return None
-    taken = {full_mark_name(bench.asked.plan, n): s for n, s in spots.items()} | marks_of_earlier_plans(bench)
-    tried: list[tuple[float, Grading]] = []
+    taken = {full_mark_name(bench.plan, n): s for n, s in spots.items()} | marks_of_earlier_plans(bench)
+    tried = []
     for mu, share in candidate_scales(bench, taken):
         grading = _grade_at_scale(bench, mu, share, taken, rebuilt)
         tried.append((round(grading.judgement.score, 9) + OWN_SCALE_LOG_ODDS * (not grading.said_mu), grading))
@@ -271,11 +267,11 @@ def _may_be_rescaled(grading: Grading) -> bool:
 
 
 def _grade_at_scale(
-    bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, ReadMark], rebuilt: Rebuilt | None = None
+    bench: PreparedPlan, mu: float, share: float, taken: ReadMarks, rebuilt: Rebuilt | None = None
 ) -> Grading:
     """Grades at one scale."""
     skill = bench.asked.skill
-    name = mu_name(bench.asked.plan)
+    name = mu_name(bench.plan)
     given = {**bench.given, name: mu}
     unsure = {name: share} if share and name in bench.program.given_names else {}
     hand = Hand(bench.program, given, skill, taken, unsure)
@@ -285,7 +281,7 @@ def _grade_at_scale(
     apart = {m: free.miss(free.things[m], t.place).with_reading_error(t.error_mm) for m, t in own.items()}
     absent = rebuilt.absent if rebuilt else ()
     judgement = judge(
-        hand, bench.marks, mistake_variants(bench, hand.taken, mu), plan_extent(truth, bench.asked.plan), absent
+        hand, bench.marks, mistake_variants(bench, hand.taken, mu), plan_extent(truth, bench.plan), absent
     )
     wrong = judgement.wrong
     at_home = {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
@@ -297,7 +293,7 @@ def _grade_at_scale(
     )
     if doubtful and not judgement.named and all(apart[m].sigmas < 1 for m in judgement.wrong):
         judgement.wrong = []  # all are in the right place: the base of the first was misread slightly
-    return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free, mu == bench.said_mu, rebuilt)
+    return Grading(hand, truth, bench.marks, mu, judgement, apart, free, mu == bench.said_mu, rebuilt)
 
 
 def grading_without_marks(bench: PreparedPlan) -> Grading:

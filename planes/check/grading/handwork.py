@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 import numpy
 
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import ReadMarks
 from planes.check.grading.perturbing import Nudged, error_columns
 from planes.check.grading.variants import Variant
 from planes.drafting.drawing import draw_steps
@@ -78,7 +78,10 @@ class Miss:
         return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(self._area)
 
 
-def needs_protractor(step: Step, given: Mapping[str, Point]) -> bool:
+Misses = dict[str, Miss]  # of marks
+
+
+def needs_protractor(step: Step, given: Env) -> bool:
     """Whether a direction is drawn at an angle that no set square has."""
     return isinstance(step, Aim | Turn) and step.angle is not None and float(given.get(step.angle, 0.0)) % 90 != 0
 
@@ -91,7 +94,7 @@ class Person(Tool):
     """
 
     own: dict[str, Point]  # the person's marks with reading errors
-    values: Mapping[str, Point]  # the given values
+    values: Env  # the given values
 
     def is_read(self, mark: str) -> Truth:
         """Whether a mark is the person's own (the pole is)."""
@@ -141,9 +144,9 @@ class Hand:
     def __init__(
         self,
         program: Program,
-        given: Mapping[str, Point],
+        given: Env,
         skill: Skill,
-        taken: Mapping[str, ReadMark],
+        taken: ReadMarks,
         unsure: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.program = program
@@ -166,7 +169,7 @@ class Hand:
             self.things[name] = value
         self.made = draw_steps(program.steps, self.things, self.tool)
 
-    def misses(self, marks: Sequence[str], made: Env | None = None) -> dict[str, Miss]:
+    def misses(self, marks: Sequence[str], made: Env | None = None) -> Misses:
         """The miss of each mark, for the original steps (or those ``made`` by a variant)."""
         made = self.made if made is None else made
         return {m: self.miss(made[m], self.things[m]) for m in marks if m in self.taken and m in made}

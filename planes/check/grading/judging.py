@@ -20,11 +20,12 @@ from planes.check.grading.evidence import (
     chance_wrong,
     log_density_anywhere,
     log_prob_no_slips,
+    log_sum,
     logistic,
     misread_log_density,
     right_mark_log_density,
 )
-from planes.check.grading.handwork import LEAST_MARK_ERROR_MM, Hand, Miss
+from planes.check.grading.handwork import LEAST_MARK_ERROR_MM, Hand, Miss, Misses
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
@@ -47,12 +48,12 @@ class Judgement:
     """The findings: misses of every mark, the wrong ones in order of drawing, and the explanation of the first."""
 
     limit: float
-    misses: dict[str, Miss]
+    misses: Misses
     wrong: list[str] = field(default_factory=list)
     named: Variant | None = None
     runner_up: Variant | None = None
     as_well: Variant | None = None  # for marks within limits, the mistake that explains them as well as a drawing error
-    explained: Mapping[str, Miss] = field(default_factory=dict)  # misses of marks under the mistake
+    explained: Misses = field(default_factory=dict)  # misses of marks under the mistake
     score: float = 0.0  # log likelihood of the drawing, with the named mistake or without any
     chance_wrong: float = 0.0  # probability that some mark is wrong
     cause: float = 1.0  # probability of the named mistake among all causes, once a mark is wrong
@@ -104,7 +105,7 @@ class ScoredHypothesis:
 
     score: float
     variant: Variant
-    under: Mapping[str, Miss]
+    under: Misses
 
 
 class _Weighing:
@@ -128,8 +129,8 @@ class _Weighing:
         """The score a mistake needs to explain a mark better than "some other cause" or a misreading."""
         miss = self.misses[mark]
         taken = misread_log_density(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP_PROBABILITY)
-        return float(
-            numpy.logaddexp(math.log(OTHER_CAUSE_WEIGHT) + self._unknown_cause_log_density(mark), taken)
+        return log_sum(
+            math.log(OTHER_CAUSE_WEIGHT) + self._unknown_cause_log_density(mark), taken
         ) - self.mark_log_density(mark, miss)
 
     def _unknown_cause_log_density(self, mark: str) -> float:
@@ -143,9 +144,9 @@ class _Weighing:
                 spread = float(((self.misses[mark].change * aside).imag ** 2).sum()) + LEAST_MARK_ERROR_MM**2
                 off = ((self.hand.taken[mark].place - origin) * aside).imag
                 every.append(-0.5 * (off**2 / spread + math.log(2 * math.pi * spread) - self.broad))
-        return float(numpy.logaddexp.reduce(every)) - math.log(len(every))
+        return log_sum(*every) - math.log(len(every))
 
-    def log_likelihood_gain(self, misses: Mapping[str, Miss]) -> float:
+    def log_likelihood_gain(self, misses: Misses) -> float:
         """The log likelihood ratio of misses to those of the original steps."""
         return sum(
             self.mark_log_density(m, miss) - self.mark_log_density(m, self.misses[m]) for m, miss in misses.items()
@@ -157,13 +158,13 @@ class _Weighing:
         if suspect is None or not math.isfinite(self.misses[suspect].sigmas):
             return share
         miss = self.misses[suspect]
-        doubt = self.doubts[suspect]
-        return share + right_mark_log_density(miss, self.broad, 0.0) - right_mark_log_density(miss, self.broad, doubt)
+        misread = right_mark_log_density(miss, self.broad, self.doubts[suspect])
+        return share + right_mark_log_density(miss, self.broad, 0.0) - misread
 
     def log_prob_misread_mark(self, mark: str) -> float:
         """The same with another point misread as the suspected mark, located instead by the marks drawn from it."""
         hand = self.hand
-        own = self.hand.taken[mark]
+        own = hand.taken[mark]
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
         plain = other.misses([m for m in self.plain if m != mark])
@@ -193,7 +194,7 @@ class _Weighing:
             scored.append(ScoredHypothesis(score, variant, under))
         return _best_variant_per_mistake(scored)
 
-    def _is_visible_mistake(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
+    def _is_visible_mistake(self, variant: Variant, touched: Misses) -> bool:
         """Whether a mistake moves its mark beyond the drawing error, given the others (if unread: moves some mark).
 
         A mark left out shows by its absence.
@@ -212,7 +213,7 @@ def _name_likeliest_mistake(judgement: Judgement, ranked: Sequence[ScoredHypothe
         return
     judgement.named = best.variant
     judgement.runner_up = rest[0].variant if rest else None
-    judgement.cause = logistic(best.score - float(numpy.logaddexp.reduce([unknown, *(one.score for one in rest)])))
+    judgement.cause = logistic(best.score - log_sum(unknown, *(one.score for one in rest)))
     judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
     judgement.score += best.score + math.log(SLIP_PROBABILITY)
 
@@ -247,7 +248,7 @@ def mark_verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[s
     return out
 
 
-def misses_given_earlier(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
+def misses_given_earlier(misses: Misses, order: Sequence[str], limit: float) -> Misses:
     """Every miss given those before it; a mark off by more than ``limit`` σ is no evidence about others."""
     names = [m for m in order if m in misses]
     if not names:

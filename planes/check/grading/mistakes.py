@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from planes.check.grading.plan_steps import PlanSteps, with_other_direction
-from planes.check.grading.variants import Variant
+from planes.check.grading.variants import Steps, Variant, Variants
 from planes.drafting.steps import Carry, Image, LayOff, Read, Same, Similar, Step
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure
@@ -11,10 +11,10 @@ from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point
 from planes.words import Phrase, Told
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, full_mark_name, guide_of, label_of, letter_of, mu_name, plan_of
+from planes.words.names import POLE_LABEL, NamePair, full_mark_name, guide_of, label_of, letter_of, mu_name, plan_of
 
 
-def motion_variants(w: PlanSteps) -> Iterator[Variant]:
+def motion_variants(w: PlanSteps) -> Variants:
     """Mistakes of a velocity or acceleration plan."""
     quick = w.plan == "acceleration"
     yield from _driver_mistakes(w, quick)
@@ -32,15 +32,14 @@ def motion_variants(w: PlanSteps) -> Iterator[Variant]:
             yield w.variant_at_step(mistake, step, replace(step, along=line), about={"line": line})
 
 
-def _driver_mistakes(w: PlanSteps, quick: bool) -> Iterator[Variant]:
+def _driver_mistakes(w: PlanSteps, quick: bool) -> Variants:
     """The driver's motion taken with the wrong sense, or left out."""
-    drive = w.plans.mechanism.drive
     spin = "epsilon" if quick else "omega"
-    name = drive.rate_names[quick]
+    name = w.plans.mechanism.drive.rate_names[quick]
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _determines_length(w, name, s.length)), None)
     if name not in w.program.given_names or mark is None:
         return
-    value = float(w.plans.given[name])
+    value = float(w.given[name])
     label = label_of(mark)
     about = {"value": name}
     yield Variant(f"{spin}1_reversed", label, {}, {name: -value}, 1.0, about)
@@ -52,7 +51,7 @@ def _determines_length(w: PlanSteps, value: str, length: str) -> bool:
     return value == length or (length in w.steps and any(n == value for n, _ in w.steps[length].input_names()))
 
 
-def _intersection_mistakes(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
+def _intersection_mistakes(w: PlanSteps, step: Cross, quick: bool) -> Variants:
     """An intersection of two lines: one of them in a wrong direction or from a wrong point."""
     sides = (("along", step.along), ("across", step.across))
     for side, direction in sides:
@@ -79,7 +78,7 @@ def _intersection_mistakes(w: PlanSteps, step: Cross, quick: bool) -> Iterator[V
         yield from _start_point_mistakes(w, step)
 
 
-def _start_point_mistakes(w: PlanSteps, step: Cross) -> Iterator[Variant]:
+def _start_point_mistakes(w: PlanSteps, step: Cross) -> Variants:
     """Two lines drawn from each other's ends, or the relative velocity laid off backwards."""
     starts = (step.start, step.other)
     if w.pole in starts and step.start != step.other:
@@ -94,7 +93,7 @@ def _start_point_mistakes(w: PlanSteps, step: Cross) -> Iterator[Variant]:
         )
 
 
-def _similarity_mistakes(w: PlanSteps, step: Similar | Image, quick: bool) -> Iterator[Variant]:
+def _similarity_mistakes(w: PlanSteps, step: Similar | Image, quick: bool) -> Variants:
     """A mark by similarity: mirrored, divided from the wrong end, or built on another segment."""
     start, end = (step.start, step.end) if isinstance(step, Similar) else step.image
     yield from _mirrored_similarity(w, step)
@@ -131,14 +130,13 @@ def _normal_component_ends(w: PlanSteps, start: str, end: str) -> Iterator[str]:
             yield step.makes
 
 
-def _mirrored_similarity(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
+def _mirrored_similarity(w: PlanSteps, step: Similar | Image) -> Variants:
     """The similar figure mirrored about its base."""
     name = f"mirrored {step.makes}"
-    label = label_of(step.makes)
     if isinstance(step, Similar):
-        ratio = complex(w.plans.given[step.ratio]).conjugate()
+        ratio = complex(w.given[step.ratio]).conjugate()
         swaps = {step.makes: (replace(step, ratio=name),)}
-        yield Variant("similarity_mirrored", label, swaps, {name: ratio})
+        yield Variant("similarity_mirrored", label_of(step.makes), swaps, {name: ratio})
         return
     foot = Mirror(f"{name}°", step.of, step.like)
     yield w.variant_at_step("similarity_mirrored", step, foot, replace(step, of=(step.of[0], foot.makes)))
@@ -148,8 +146,8 @@ def _mirrored_similarity(w: PlanSteps, step: Similar | Image) -> Iterator[Varian
 class Mirror(Step):
     """The second of the marks ``of``, mirrored in the line through the first along ``like``."""
 
-    of: tuple[str, str]
-    like: tuple[str, str]
+    of: NamePair
+    like: NamePair
 
     def input_names(self) -> tuple[Read, ...]:
         return tuple((n, "mark") for n in (*self.of, *self.like))
@@ -161,7 +159,7 @@ class Mirror(Step):
         return env[a] + along * ((env[b] - env[a]) / along).conjugate()
 
 
-def _normal_component_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+def _normal_component_mistakes(w: PlanSteps, step: LayOff) -> Variants:
     """A normal component: outward, left out, with another velocity, from the pole."""
     yield w.variant_at_step("normal_outward", step, *w.scaled_length_steps(step))
     yield w.variant_at_step("normal_missing", step, Same(step.makes, step.start))
@@ -188,7 +186,7 @@ def _length_from_other_value(
     return formula_with_slip, replace(step, length=formula_with_slip.makes)
 
 
-def _other_speeds(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
+def _other_speeds(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, Steps]]:
     """Other speeds of the velocity plan, with a step that reads each if there is none yet."""
     for name, made in w.steps.items():
         plain = isinstance(made, Measure) and plan_of(made.start) == "velocity" and "slide" not in name
@@ -205,7 +203,7 @@ def _other_speeds(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, t
             yield tag, (Measure(tag, full_mark_name("velocity", POLE_LABEL), name, None, mu_name("velocity")),)
 
 
-def _coriolis_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+def _coriolis_mistakes(w: PlanSteps, step: LayOff) -> Variants:
     """A Coriolis component: left out, reversed, halved, with another ω, along the guide."""
     yield w.variant_at_step("coriolis_missing", step, Same(step.makes, step.start))
     yield w.variant_at_step("coriolis_reversed", step, *w.scaled_length_steps(step))

@@ -1,17 +1,16 @@
 """Mistakes of a force plan as variants of its steps: loads, moments and arms, reactions, friction."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 from planes.check.grading.plan_steps import PlanSteps, with_other_direction
-from planes.check.grading.variants import Variant
-from planes.drafting.steps import LayOff, Same, Step, Through
+from planes.check.grading.variants import Steps, Swaps, Variant, Variants
+from planes.drafting.steps import LayOff, Same, Through
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
 from planes.words.names import guide_of, label_of, letter_of, plan_of
 
 
-def force_variants(w: PlanSteps) -> Iterator[Variant]:
+def force_variants(w: PlanSteps) -> Variants:
     """Mistakes of the plan of one group or of the driver."""
     for step in w.own:
         if isinstance(step, LayOff):
@@ -21,29 +20,27 @@ def force_variants(w: PlanSteps) -> Iterator[Variant]:
     yield from _reversed_friction_mistakes(w)
 
 
-def _force_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+def _force_mistakes(w: PlanSteps, step: LayOff) -> Variants:
+    omitted = Same(step.makes, step.start)
+    backwards = w.scaled_length_steps(step)
     if step.quantity_represented == "tangential":
-        yield w.variant_at_step("reaction_along_loaded_link", step, Same(step.makes, step.start))
-        yield w.variant_at_step("tangential_reversed", step, *w.scaled_length_steps(step))
+        yield w.variant_at_step("reaction_along_loaded_link", step, omitted)
+        yield w.variant_at_step("tangential_reversed", step, *backwards)
         yield w.variant_at_step("force_doubled", step, *w.scaled_length_steps(step, 2.0))
         yield from _moment_equation_mistakes(w, step)
         return
     missing = "weight_missing" if step.quantity_represented == "weight" else "force_missing"
-    yield from _mistake_with_and_in_moments(w, step, missing, (Same(step.makes, step.start),), 0.0)
+    yield from _mistake_with_and_in_moments(w, step, missing, (omitted,), 0.0)
     yield from _mistake_with_and_in_moments(w, step, "force_doubled", w.scaled_length_steps(step, 2.0), 2.0)
     if step.quantity_represented == "weight":
         yield from _mass_for_weight_mistakes(w, step)
     elif step.quantity_represented == "inertia":
-        yield from _mistake_with_and_in_moments(
-            w, step, "inertia_along_acceleration", w.scaled_length_steps(step), -1.0
-        )
+        yield from _mistake_with_and_in_moments(w, step, "inertia_along_acceleration", backwards, -1.0)
     elif step.quantity_represented == "reaction":
-        yield from _mistake_with_and_in_moments(w, step, "reaction_not_reversed", w.scaled_length_steps(step), -1.0)
+        yield from _mistake_with_and_in_moments(w, step, "reaction_not_reversed", backwards, -1.0)
 
 
-def _mistake_with_and_in_moments(
-    w: PlanSteps, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: float
-) -> Iterator[Variant]:
+def _mistake_with_and_in_moments(w: PlanSteps, step: LayOff, mistake: str, swap: Steps, factor: float) -> Variants:
     """A force wrong in the polygon only, or in the moment equation, too."""
     alone = w.variant_at_step(mistake, step, *swap, weight=0.5)
     yield alone
@@ -52,10 +49,10 @@ def _mistake_with_and_in_moments(
         yield replace(alone, swaps={**alone.swaps, **swaps})
 
 
-def _scaled_moment_equations(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
+def _scaled_moment_equations(w: PlanSteps, step: LayOff, factor: float) -> Swaps:
     """The plan's moment equations with the terms of one force multiplied by a factor."""
     arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
-    equations: dict[str, tuple[Step, ...]] = {}
+    equations = {}
     laid = (s for s in w.own if isinstance(s, LayOff) and s.quantity_represented == "tangential")
     for formula in filter(None, map(w.length_formula, laid)):
         terms = tuple(
@@ -67,18 +64,18 @@ def _scaled_moment_equations(w: PlanSteps, step: LayOff, factor: float) -> dict[
     return equations
 
 
-def _mass_for_weight_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+def _mass_for_weight_mistakes(w: PlanSteps, step: LayOff) -> Variants:
     """A mass in kilograms laid off as a force in newtons."""
     weight = w.length_formula(step)
     factors = weight.terms[0].factors if weight else ()
     if mass := next((n for n, _ in factors if letter_of(n) == "m"), None):
         alone = w.variant_at_step("mass_for_weight", step, replace(step, length=mass), weight=0.5)
         yield alone
-        if gravity := float(w.plans.given["g"]):
+        if gravity := float(w.given["g"]):
             yield replace(alone, swaps={**alone.swaps, **_scaled_moment_equations(w, step, 1.0 / gravity)})
 
 
-def _moment_equation_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+def _moment_equation_mistakes(w: PlanSteps, step: LayOff) -> Variants:
     """Mistakes of the moment equation for a tangential reaction."""
     if not (formula := w.length_formula(step)):
         return
@@ -109,7 +106,7 @@ def _term_with_arm_in_mm(w: PlanSteps, term: Product) -> Product:
     return term
 
 
-def _arm_mistakes(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
+def _arm_mistakes(w: PlanSteps, step: LayOff, term: Product) -> Variants:
     """The distance between two points, or the wrong leg of the triangle, taken as the arm."""
     formula = w.length_formula(step)
     drop = _arm_construction(w, term)
@@ -132,13 +129,12 @@ def _formula_with_term_replaced(formula: Calculate, old: Product, new: Product) 
     return replace(formula, terms=tuple(new if t is old else t for t in formula.terms))
 
 
-def _moment_equation_variant(step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
-    label = label_of(step.makes)
-    shown = force.strip("|").replace("MI_", "M_Φ")
-    return Variant(mistake, label, {step.length: steps}, {}, weight, {"force": shown})
+def _moment_equation_variant(step: LayOff, mistake: str, steps: Steps, weight: float, force: str) -> Variant:
+    about = {"force": force.strip("|").replace("MI_", "M_Φ")}
+    return Variant(mistake, label_of(step.makes), {step.length: steps}, {}, weight, about)
 
 
-def _reaction_direction_mistakes(w: PlanSteps, step: Cross) -> Iterator[Variant]:
+def _reaction_direction_mistakes(w: PlanSteps, step: Cross) -> Variants:
     """The lines of the unknown reactions in a wrong direction."""
     own = {"along": step.along, "across": step.across}
     rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
@@ -152,16 +148,15 @@ def _reaction_direction_mistakes(w: PlanSteps, step: Cross) -> Iterator[Variant]
                 yield w.variant_at_step("guide_reaction_not_normal", step, swap, weight=weight, about={"guide": named})
 
 
-def _reversed_friction_mistakes(w: PlanSteps) -> Iterator[Variant]:
+def _reversed_friction_mistakes(w: PlanSteps) -> Variants:
     """Friction drawn in the direction of motion."""
     used = {n for s in w.own if isinstance(s, Cross) for n in (s.along, s.across)}
     leans = [s for s in w.program.steps if isinstance(s, Lean) and s.makes in used]
     trial = next((s for s in w.own if label_of(s.makes)[-1:] in "+-" and isinstance(s, Cross)), None)
     if not leans or trial is None:
         return
-    swaps: dict[str, tuple[Step, ...]] = {}
+    swaps = {}
     for lean in leans:
         back = Calculate(f"{lean.makes}~f", (Product(-1.0, ((lean.coefficient, 1),)),))
         swaps[lean.makes] = (back, replace(lean, coefficient=back.makes))
-    label = label_of(trial.makes).rstrip("+-")
-    yield Variant("friction_along_motion", label, swaps)
+    yield Variant("friction_along_motion", label_of(trial.makes).rstrip("+-"), swaps)

@@ -2,11 +2,11 @@
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import MarkPlaces, ReadMarks
 from planes.check.grading.plan_steps import PlanSteps
-from planes.check.grading.variants import Variant
+from planes.check.grading.variants import Variant, Variants
 from planes.drafting.drawing import draw_program
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
@@ -23,48 +23,48 @@ LEAST_GUIDE_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes throug
 LEAST_LINK_SCALE_ERROR = 0.04  # a smaller error of a link's length is inaccuracy, not scale
 
 
-def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
+def position_variants(w: PlanSteps, taken: ReadMarks, mu: float) -> Variants:
     """Mistakes of a position plan; the person's own marks show the scale at which a link may have been drawn."""
     yield from _driver_angle_mistakes(w)
-    for name, value in w.plans.given.items():
+    for name, value in w.given.items():
         if name not in w.program.given_names:
             continue
+        users = w.steps_using(name)
         if letter_of(name) == "side":
             second = {"which": Phrase("assembly_second")}
-            yield from _variant_of_changed_givens(
-                w, "other_assembly", w.steps_using(name), {name: -float(value)}, about=second
-            )
+            yield from _variant_of_changed_givens(w, "other_assembly", users, {name: -float(value)}, about=second)
         elif letter_of(name) == "e" and value:
-            yield from _variant_of_changed_givens(w, "guide_offset_ignored", w.steps_using(name), {name: 0.0})
+            yield from _variant_of_changed_givens(w, "guide_offset_ignored", users, {name: 0.0})
     yield from _guide_through_pivot_mistakes(w)
     yield from _other_class_iii_assemblies(w)
     for step in w.own:
         yield from _link_scale_mistakes(w, step, taken, mu)
 
 
-def _guide_through_pivot_mistakes(w: PlanSteps) -> Iterator[Variant]:
+def _guide_through_pivot_mistakes(w: PlanSteps) -> Variants:
     """A guide of the frame drawn through the driver's pivot, its offset ignored."""
     mechanism = w.plans.mechanism
     driver = mechanism.links[mechanism.drive.link].points if w.plans.has_mechanism else ()
     pivot = next((f"place_{n}" for n in driver if n in mechanism.frame.points), "")
-    for guide in mechanism.frame.guides if pivot in w.plans.given else ():
+    for guide in mechanism.frame.guides if pivot in w.given else ():
         place = f"place_°{guide}"
         if place in w.program.given_names and _misses_point(w, place, pivot, f"angle_∥{guide}"):
             yield from _variant_of_changed_givens(
-                w, "guide_offset_ignored", w.steps_using(place), {place: w.plans.given[pivot]}
+                w, "guide_offset_ignored", w.steps_using(place), {place: w.given[pivot]}
             )
 
 
-def _other_class_iii_assemblies(w: PlanSteps) -> Iterator[Variant]:
+def _other_class_iii_assemblies(w: PlanSteps) -> Variants:
     """Another assembly of a class III group: its basic link elsewhere on the same three leads."""
     cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
     for holds, cut in cuts.items():
         program = w.program.cut_to_names([name for hold in holds for name, _ in hold.input_names()])
-        things = draw_program(program, {**w.plans.given, cut.mu: 1.0}).things
+        given = {**w.given, cut.mu: 1.0}
+        things = draw_program(program, given).things
         guess = cut.guess
         ties = [hold.lead_tie(things, 1.0, Arithmetic()) for hold in holds]
         size = things[guess.size]
-        drawn = draw_program(w.program.cut_to_names([cut.makes]), {**w.plans.given, cut.mu: 1.0})[cut.makes]
+        drawn = draw_program(w.program.cut_to_names([cut.makes]), given)[cut.makes]
         terms = *guess.places, *(name for turn in guess.turns for name in turn)
         here = {guess.middle: things[guess.drive], guess.half: 1.0} | dict.fromkeys(terms, 0.0)
         poses = all_assemblies(ties, size).poses
@@ -92,17 +92,18 @@ def _assur_class_by_basic_link(w: PlanSteps, cut: CutTrack) -> str:
 
 def _misses_point(w: PlanSteps, place: str, pivot: str, angle: str) -> bool:
     """Whether the line of a guide misses a point."""
-    way = cmath.rect(1.0, math.radians(float(w.plans.given[angle])))
-    off = (complex(w.plans.given[pivot]) - complex(w.plans.given[place])) * way.conjugate()
-    return abs(off.imag) > LEAST_GUIDE_OFFSET * max(abs(complex(w.plans.given[place])), 1e-9)
+    way = cmath.rect(1.0, math.radians(float(w.given[angle])))
+    start = complex(w.given[place])
+    off = (complex(w.given[pivot]) - start) * way.conjugate()
+    return abs(off.imag) > LEAST_GUIDE_OFFSET * max(abs(start), 1e-9)
 
 
-def _driver_angle_mistakes(w: PlanSteps) -> Iterator[Variant]:
+def _driver_angle_mistakes(w: PlanSteps) -> Variants:
     """φ measured from the wrong axis or in the wrong sense."""
     given = w.plans.drive_given_name
     if w.plans.mechanism.drive.kind != "phi":
         return
-    phi = float(w.plans.given[given])
+    phi = float(w.given[given])
     wrong = (-phi, 180 - phi, 180 + phi, 90 - phi, phi + 90, phi - 90)
     users = [s for s in w.own if isinstance(s, LayOff)][:1]
     for angle in wrong:
@@ -113,21 +114,21 @@ def _variant_of_changed_givens(
     w: PlanSteps,
     mistake: str,
     users: Sequence[Step],
-    givens: Mapping[str, complex],
+    givens: MarkPlaces,
     weight: float = 1.0,
     about: Mapping[str, Told | Written] | None = None,
-) -> Iterator[Variant]:
+) -> Variants:
     """A variant blamed at the first mark of the plan that depends on the changed givens."""
     touched = w.program.steps_to_redraw((), instead={u.makes for u in users})
     for step in [step for step in touched if step.kind == "mark" and not step.is_auxiliary_mark][:1]:
         yield Variant(mistake, label_of(step.makes), {}, dict(givens), weight, about or {})
 
 
-def _link_scale_mistakes(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
+def _link_scale_mistakes(w: PlanSteps, step: Step, taken: ReadMarks, mu: float) -> Variants:
     """A length drawn at another scale, the one shown by the person's own mark."""
     own = taken.get(step.makes)
     label = label_of(step.makes)
-    ends = list[tuple[str, str]]()
+    ends = []
     if isinstance(step, LayOff):
         ends.append((step.start, step.length))
     if isinstance(step, CrossArc | CrossArcs):
@@ -135,7 +136,7 @@ def _link_scale_mistakes(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark]
     if isinstance(step, CrossArcs):
         ends.append((step.other, step.other_radius))
     for centre, length in ends:
-        value = w.plans.given.get(length)
+        value = w.given.get(length)
         start = taken.get(centre)
         if own is None or start is None or not value or length not in w.plans.link_lengths:
             continue

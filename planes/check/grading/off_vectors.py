@@ -1,5 +1,6 @@
 """The message about a vector that is wrong for no known cause: its measured and its right value."""
 
+import cmath
 import math
 
 from planes.check.grading.handwork import Hand
@@ -18,7 +19,7 @@ def wrong_vector_phrase(hand: Hand, mark: str, off: complex) -> Phrase:
     own = hand.taken[mark].place - (
         0j if start == POLE_LABEL else hand.taken[full_mark_name(plan_of(mark), start)].place
     )
-    numbers = [f(z) for z in (own, own - off) for f in (_length_text, _angle_text)]
+    numbers = [text for z in (own, own - off) for text in (f"{abs(z):.1f}", _angle_text(z))]
     parts = zip(PHRASE_PART_NAMES, (label_of(mark), vector_label(hand, mark), *map(Written, numbers)), strict=True)
     return Phrase("check_off_vector", **dict(parts))
 
@@ -40,11 +41,6 @@ def vector_label(hand: Hand, mark: str) -> str:
     return label_of(mark) if laid else f"{POLE_LABEL}{label_of(mark)}"
 
 
-def _length_text(z: complex) -> str:
-    return f"{abs(z):.1f}"
-
-
 def _angle_text(z: complex) -> str:
     """From the x axis, in whole degrees."""
-    degrees = round(math.degrees(math.atan2(z.imag, z.real)))
-    return str(degrees).replace("-", "−")
+    return str(round(math.degrees(cmath.phase(z)))).replace("-", "−")

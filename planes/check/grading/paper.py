@@ -8,9 +8,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from planes.check.grading.sign_faults import SignFault
-from planes.check.reading.opened import MB, read_bounded_bytes, too_many_error
+from planes.check.reading.opened import MB, file_error, read_bounded_bytes, too_many_error
+from planes.check.reading.written import Stroke
 from planes.words import Phrase, available_languages, say
-from planes.words.errors import PlanesError, quoted_excerpt
+from planes.words.errors import quoted_excerpt
 from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL
 from planes.words.records import decode_table
@@ -29,6 +30,7 @@ LARGEST_TABLE_BYTES = 2 * MB
 MOST_ROWS = 2000  # rows
 LARGEST_COORDINATE_MM = 10_000.0  # no sheet is larger
 POINTED_MARK_ERROR_MM = 0.3  # accuracy of a mark pointed to by a person
+MarkPlaces = dict[str, complex]  # by label, or by name
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the pole
 
 
@@ -52,7 +54,10 @@ class ReadMark:
         return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
-def with_pointed_marks(spots: Iterable[ReadMark], pointed: Mapping[str, complex]) -> list[ReadMark]:
+ReadMarks = dict[str, ReadMark]  # by label, or by name
+
+
+def with_pointed_marks(spots: Iterable[ReadMark], pointed: MarkPlaces) -> list[ReadMark]:
     """The marks read, with those pointed to by a person, which are certain, in place of their readings."""
     read = [s for s in spots if s.name not in pointed]
     return [*read, *(ReadMark(n, z, POINTED_MARK_ERROR_MM) for n, z in pointed.items())]
@@ -63,7 +68,7 @@ class Known:
     """Given data of a drawing: its pole, some marks (pixels or drawing units; y down), frame size, page (from 0)."""
 
     pole: complex | None = None
-    marks: Mapping[str, complex] = field(default_factory=dict)
+    marks: MarkPlaces = field(default_factory=dict)
     format: str | None = None
     page: int | None = None
 
@@ -83,17 +88,13 @@ class ReadPaper:
     picture: bytes = b""  # the rectified picture, for the report
     box: Box | None = None  # its position
     look: str = ""  # hash of its content
-    strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a vector drawing, from the pole
+    strokes: list[Stroke] = field(default_factory=list)  # lines of a vector drawing, from the pole
     signs: list[SignFault] = field(default_factory=list)  # wrong letters and arrowheads
     left: list[str] = field(default_factory=list)  # ignored columns of a table, vectors not drawn
     untold: list[str] = field(default_factory=list)  # vectors that, with a mistake, may be others
     named: list[str] = field(default_factory=list)  # marks not read, but with names at their expected positions
     notes: list[Phrase] = field(default_factory=list)
     reason: Phrase | None = None  # why none of its marks could be read
-
-    def error_naming_file(self, key: str, **parts: object) -> PlanesError:
-        """An error that names the file."""
-        return PlanesError(Phrase(key, file=self.file, **parts))
 
 
 def read_table(path: str | Path) -> ReadPaper:
@@ -102,7 +103,7 @@ def read_table(path: str | Path) -> ReadPaper:
     try:
         text = decode_table(read_bounded_bytes(path, LARGEST_TABLE_BYTES))
     except UnicodeDecodeError:
-        raise paper.error_naming_file("check_text") from None
+        raise file_error("check_text", paper.file) from None
     if text.lstrip()[:1] in ("{", "["):
         _read_json(paper, text)
     else:
@@ -113,8 +114,7 @@ def read_table(path: str | Path) -> ReadPaper:
 def _split_rows(text: str) -> list[tuple[int, list[str]]]:
     """Rows with their numbers; the first row determines the separator."""
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    first = lines[0] if lines else ""
-    mark = next((c for c in (";", "\t") if c in first), ",")
+    mark = next((c for c in (";", "\t") if lines and c in lines[0]), ",")
     rows = csv.reader(text.splitlines(), delimiter=mark)
     cells = ((rows.line_num, [c.strip() for c in row]) for row in rows)
     return [(line, row) for line, row in cells if any(row) and not row[0].startswith("#")]
@@ -124,13 +124,13 @@ def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
     """Rows under one or more headers: a new header begins a new table."""
     columns = _header_columns(rows[0][1]) if rows else None
     if columns is None:
-        raise paper.error_naming_file("check_columns")
+        raise file_error("check_columns", paper.file)
     for line, row in rows:
         if head := _header_columns(row):
             columns = head
             paper.left += [name for name in head if name and name not in (*COLUMN_SPELLINGS, *paper.left)]
         elif any(row[len(columns) :]):
-            raise paper.error_naming_file("check_row_long", line=line, count=len(row), most=len(columns))
+            raise file_error("check_row_long", paper.file, line=line, count=len(row), most=len(columns))
         else:
             _add_row(paper, dict(zip(columns, row, strict=False)), line)
 
@@ -148,7 +148,7 @@ def _add_row(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
 
     def once(name: str, before: Iterable[str]) -> None:
         if name in before:
-            raise paper.error_naming_file("check_row_twice", line=line, name=quoted_excerpt(name))
+            raise file_error("check_row_twice", paper.file, line=line, name=quoted_excerpt(name))
 
     if "" in (row.get(key) for key in ("x_mm", "y_mm", "mm", "value")):  # the number was not written
         paper.left += [str(row.get(key)) for key in ("mark", "segment", "result") if row.get(key)]
@@ -158,7 +158,7 @@ def _add_row(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
     if "mark" in row:
         cells = [row.get("x_mm"), row.get("y_mm")]
         if None in cells:
-            raise paper.error_naming_file("check_row", line=line)
+            raise file_error("check_row", paper.file, line=line)
         x, y = (_parse_length_mm(paper, c, line) for c in cells)
         said = row.get("error_mm") or None
         error = (
@@ -175,7 +175,7 @@ def _add_row(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
         once(result[0], (n for n, *_ in paper.results))
         paper.results.append(result)
     else:
-        raise paper.error_naming_file("check_row", line=line)
+        raise file_error("check_row", paper.file, line=line)
 
 
 def _parse_number(paper: ReadPaper, cell: object, line: int) -> float:
@@ -184,7 +184,7 @@ def _parse_number(paper: ReadPaper, cell: object, line: int) -> float:
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise paper.error_naming_file("check_not_number", line=line, text=f'"{str(cell)[:40]}"')
+        raise file_error("check_not_number", paper.file, line=line, text=f'"{str(cell)[:40]}"')
     return number
 
 
@@ -192,7 +192,7 @@ def _parse_length_mm(paper: ReadPaper, cell: object, line: int) -> float:
     """A length on a sheet, mm."""
     length = _parse_number(paper, cell, line)
     if abs(length) > LARGEST_COORDINATE_MM:
-        raise paper.error_naming_file("check_no_place", line=line, text=str(cell)[:40])
+        raise file_error("check_no_place", paper.file, line=line, text=str(cell)[:40])
     return length
 
 
@@ -210,10 +210,10 @@ def _read_json(paper: ReadPaper, text: str) -> None:
     try:
         data = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise paper.error_naming_file("check_json", why=str(error)[:80]) from None
+        raise file_error("check_json", paper.file, why=str(error)[:80]) from None
     parts = {"marks": data} if isinstance(data, list) else data if isinstance(data, dict) else {}
     if not any(map(parts.get, _JSON_PART_COLUMNS)):
-        raise paper.error_naming_file("check_columns")
+        raise file_error("check_columns", paper.file)
     for name, key in _JSON_PART_COLUMNS.items():
         for line, row in enumerate(_json_rows(parts.get(name), key), 1):
             _add_row(paper, row, line)

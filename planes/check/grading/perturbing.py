@@ -22,7 +22,7 @@ SHARED_ERRORS_NAME = "shared"  # name of the errors shared by all marks
 
 def error_columns(steps: Iterable[Step], read: Iterable[str], shared: int = 0) -> tuple[dict[str, int], int]:
     """The first error column of every step, of every name read with an error and of shared errors; the column count."""
-    columns = dict[str, int]()
+    columns = {}
     width = 1
     drawn = ((s.makes, _ERRORS_PER_STEP_KIND[s.kind]) for s in steps if s.kind in _ERRORS_PER_STEP_KIND)
     for name, count in (*drawn, *((f"read {n}", 2) for n in read), (SHARED_ERRORS_NAME, shared)):

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from planes.check.grading.variants import Variant
+from planes.check.grading.variants import Steps, Variant
 from planes.drafting.program import Program
 from planes.drafting.steps import LayOff, Step, Turn
 from planes.drafting.steps.crossings import Cross
@@ -24,6 +24,7 @@ class PlanSteps:
     plan: str
 
     def __post_init__(self) -> None:
+        self.given = self.plans.given
         self.steps = self.program.steps_by_result
         self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
         self.pole = full_mark_name(self.plan, POLE_LABEL)
@@ -53,7 +54,7 @@ class PlanSteps:
         """Perpendiculars to links among the program's directions."""
         return [d for d in self.steps if (line := self.base_of_perpendicular(d)) and guide_of(line) is None]
 
-    def scaled_length_steps(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
+    def scaled_length_steps(self, step: LayOff, factor: float = -1.0) -> Steps:
         """The same length laid off times a number (backwards, double, half)."""
         name = f"{step.makes} ×{factor:g}"
         return Calculate(name, (Product(factor, ((step.length, 1),)),)), replace(step, length=name)

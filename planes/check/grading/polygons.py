@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
-from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.paper import MarkPlaces, ReadMark, ReadMarks, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, mark_names
 from planes.check.grading.remedies import phrase_for_reader, phrase_with_remedy
 from planes.drafting.steps import LayOff
@@ -19,7 +19,6 @@ from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL, full_mark_name, label_of, mu_name, plan_kind, plan_of, vector_end_label
 from planes.words.naming import Naming
 
-Vectors = dict[str, ReadMark]  # a person's
 # collinear: tangent of the angle; relative length of a vector that hides another
 COLLINEAR_TANGENT = 0.05
 HIDING_LENGTH_RATIO = 0.9
@@ -40,15 +39,15 @@ class Side:
 class Rebuilt:
     """Marks of the program's polygon by label, and its closing errors."""
 
-    spots: dict[str, ReadMark] = field(default_factory=dict)
+    unknown: list[str]
+    vectors: list[ReadMark]  # as read
+    closers: set[str]  # those of free length
+    left: list[Side]  # not read, though they may be there
+    polygons: Sequence[Collection[str]]  # the vectors of each
+    spots: ReadMarks = field(default_factory=dict)
     gap: ReadMark | None = None
     closing: str = ""
     absent: set[str] = field(default_factory=set)  # known forces that are missing
-    unknown: list[str] = field(default_factory=list)
-    vectors: list[ReadMark] = field(default_factory=list)  # as read
-    closers: set[str] = field(default_factory=set)  # those of free length
-    left: list[Side] = field(default_factory=list)  # not read, though they may be there
-    polygons: list[Collection[str]] = field(default_factory=list)  # the vectors of each
 
     def may_be_confused_vectors(self, missing: complex | None) -> bool:
         """Whether vectors identified by likeness, as in a picture, may as well be others.
@@ -64,7 +63,7 @@ class Rebuilt:
             z.real > HIDING_LENGTH_RATIO and abs(z.imag) < COLLINEAR_TANGENT * z.real for z in over
         )
 
-    def unseen_long_vectors(self, places: Mapping[str, complex]) -> list[str]:
+    def unseen_long_vectors(self, places: MarkPlaces) -> list[str]:
         """Unseen vectors that should be long, by the true ``places``.
 
         A closing vector does not count where only short ones of its polygon are unseen.
@@ -102,12 +101,11 @@ def rebuild_polygon(
     """
     sides = {s.name: s for s in polygon_sides(plans, plan)}
     names = naming.name_finder(sides)
-    out = Rebuilt()
-    vectors: Vectors = {}
+    vectors: ReadMarks = {}
     polygons = [{vector_end_label(t.name): t.end for t in e.all_terms} for e in plans.equations if e.plan == plan]
-    seen: dict[str, ReadMark] = {}
-    out.unknown += [spot.name for spot in spots if names.find_name(spot.name) is None]
-    known = [spot for spot in spots if spot.name not in out.unknown]
+    seen: ReadMarks = {}
+    unknown = [spot.name for spot in spots if names.find_name(spot.name) is None]
+    known = [spot for spot in spots if spot.name not in unknown]
     for before, spot in pairwise([*known[:1], *known]):
         name = names.find_name(spot.name)
         last = names.find_name(before.name)
@@ -121,10 +119,13 @@ def rebuild_polygon(
             doubt = max(spot.doubt, old.doubt)
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
     loads = known_force_labels(plans, plan)
-    out.vectors = [*vectors.values()]
-    out.closers = {name for name, side in sides.items() if side.end not in loads}
-    out.polygons += polygons
-    out.left = [] if complete else [side for name, side in sides.items() if name not in vectors]
+    out = Rebuilt(
+        unknown=unknown,
+        vectors=[*vectors.values()],
+        closers={name for name, side in sides.items() if side.end not in loads},
+        left=[] if complete else [side for name, side in sides.items() if name not in vectors],
+        polygons=polygons,
+    )
     _lay_sides(out, sides, vectors, loads, complete)
     return out
 
@@ -134,9 +135,9 @@ def _is_polygon_complete(polygon: Mapping[str, str], seen: Collection[str]) -> b
     return all(name in seen or end == POLE_LABEL for name, end in polygon.items())
 
 
-def _lay_sides(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], complete: bool) -> None:
+def _lay_sides(out: Rebuilt, sides: dict[str, Side], vectors: ReadMarks, loads: set[str], complete: bool) -> None:
     """Marks from vectors: a side with one known end gives the other; a second path to a mark, the closing error."""
-    places: dict[str, complex] = {POLE_LABEL: 0j}
+    places: MarkPlaces = {POLE_LABEL: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
     left = dict(sides)
     while left:
@@ -159,25 +160,25 @@ def _lay_sides(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: se
                 out.gap = replace(read, place=gap)
                 out.closing = name
         else:
-            ahead = side.start in places
-            new, old = (side.end, side.start) if ahead else (side.start, side.end)
-            places[new] = places[old] + (read.place if ahead else -read.place)
-            out.spots[new] = replace(read, name=new, place=places[new])
+            new, place = (
+                (side.end, places[side.start] + read.place)
+                if side.start in places
+                else (side.start, places[side.end] - read.place)
+            )
+            places[new] = place
+            out.spots[new] = replace(read, name=new, place=place)
 
 
-def _can_be_laid(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
+def _can_be_laid(side: Side, places: MarkPlaces, read: bool, loads: set[str]) -> bool:
     """Whether a side can be laid now: read and reached, or an unread load."""
     load = side.end in loads
-    begun = side.start in places
     ended = side.end in places
-    if read:
-        return begun or (ended and not load)
-    return load and begun and not ended
+    if side.start in places:
+        return read or (load and not ended)
+    return read and ended and not load
 
 
-def align_marks(
-    bench: PreparedPlan, plan: str, paper: ReadPaper
-) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
+def align_marks(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[ReadMarks, Rebuilt | None, list[str]]:
     """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are not marks."""
     names = mark_names(bench.plans, plan, bench.naming)
     pole = next((s for s in paper.spots if names.find_name(s.name) == POLE_LABEL), None)
@@ -190,7 +191,7 @@ def align_marks(
             raise PlanesError(phrase_for_reader("table", phrase_with_remedy("check_nothing_read", names=wanted)))
         return rebuilt.spots, rebuilt, rebuilt.unknown
     fixed = bench.naming.name_finder(bench.plans.mechanism.frame.points)
-    spots: dict[str, ReadMark] = {}
+    spots: ReadMarks = {}
     unknown = []
     for spot in paper.spots:
         name = names.find_name(spot.name)
@@ -202,7 +203,7 @@ def align_marks(
     return {n: replace(s, name=n, place=s.place - origin) for n, s in spots.items()}, None, unknown
 
 
-def _unread_pole_position(bench: PreparedPlan, plan: str, spots: Mapping[str, ReadMark]) -> complex:
+def _unread_pole_position(bench: PreparedPlan, plan: str, spots: ReadMarks) -> complex:
     """The position of an unread pole, from a fixed point of the scheme."""
     if plan != "position":
         raise PlanesError(Phrase("check_no_pole"))
@@ -212,7 +213,7 @@ def _unread_pole_position(bench: PreparedPlan, plan: str, spots: Mapping[str, Re
     raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))
 
 
-def marks_of_earlier_plans(bench: PreparedPlan) -> dict[str, ReadMark]:
+def marks_of_earlier_plans(bench: PreparedPlan) -> ReadMarks:
     """Marks of earlier plans in the submission."""
     aligned = ((plan, align_marks(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
     return {full_mark_name(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
-from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.paper import MarkPlaces, ReadMarks, ReadPaper
 from planes.check.grading.plan_steps import PlanSteps
-from planes.check.grading.variants import Variant
+from planes.check.grading.variants import Variant, Variants
 from planes.drafting.drawing import Drawing, draw_program, draw_steps
 from planes.drafting.program import Program
 from planes.drafting.skill import STUDENT_SKILL, Skill
@@ -26,7 +26,7 @@ from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, list_valid_choices
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, mu_name, plan_kind
+from planes.words.names import POLE_LABEL, NamePair, full_mark_name, label_of, mu_name, plan_kind
 from planes.words.naming import Names, Naming
 from planes.words.units import mu_text
 
@@ -63,9 +63,19 @@ class PreparedPlan:
     said_mu: float
 
     @property
+    def plan(self) -> str:
+        """The name of the plan."""
+        return self.asked.plan
+
+    @property
+    def kind(self) -> str:
+        """Its kind."""
+        return plan_kind(self.plan)
+
+    @property
     def written_mark_names(self) -> Names:
         """Names of the plan's marks as people write them."""
-        return mark_names(self.plans, self.asked.plan, self.naming)
+        return mark_names(self.plans, self.plan, self.naming)
 
     @cached_property
     def naming(self) -> Naming:
@@ -73,7 +83,7 @@ class PreparedPlan:
         return Naming(**scene_lettering(self.asked.scene, self.plans))
 
     @cached_property
-    def true_marks(self) -> dict[str, complex]:
+    def true_marks(self) -> MarkPlaces:
         """The marks of the right plan by label, mm from the pole."""
         return {label_of(m): complex(self.right_drawing[m]) for m in self.marks}
 
@@ -85,7 +95,7 @@ class PreparedPlan:
     @cached_property
     def leaning_reactions(self) -> list[tuple[str, str, complex, str]]:
         """The ends of each reaction that leans by friction, by label, with the direction of its guide and its index."""
-        own = (r for r in self.plans.reactions.values() if r.plan == self.asked.plan and r.leans)
+        own = (r for r in self.plans.reactions.values() if r.plan == self.plan and r.leans)
         ends = ((r, label_of(r.start), label_of(r.end)) for r in own)
         return [(start, end, complex(self.right_drawing[f"∥{r.pair.guide}"]), r.index) for r, start, end in ends]
 
@@ -95,9 +105,9 @@ class PreparedPlan:
         return mistake_variants(self, {}, self.said_mu)
 
     @cached_property
-    def vector_names(self) -> dict[tuple[str, str], str]:
+    def vector_names(self) -> dict[NamePair, str]:
         """The names of a motion plan's vectors by the labels of their ends."""
-        own = (s for s in self.plans.segments_by_plan.get(self.asked.plan, ()) if s.start != s.end)
+        own = (s for s in self.plans.segments_by_plan.get(self.plan, ()) if s.start != s.end)
         return {(s.start, s.end): s.name for s in own}
 
     @cached_property
@@ -134,24 +144,25 @@ class PreparedPlan:
 
     def written_scale(self, mu: float) -> Written:
         """A scale of the plan as written in a sentence."""
-        kind = plan_kind(self.asked.plan)
-        convention = self.asked.scene.mu_convention
-        return Written(lambda lang: mu_text(mu, kind, lang, convention))
+        return Written(lambda lang: mu_text(mu, self.kind, lang, self.asked.scene.mu_convention))
 
-    def pointed_positions(
-        self, marks: Mapping[str, complex], place: Callable[[complex], complex]
-    ) -> dict[str, complex]:
+    def marks_by_label(self, places: MarkPlaces) -> MarkPlaces:
+        """Places of marks of the plan by label, from those by the names that a person wrote."""
+        return {n: z for k, z in places.items() if (n := self.written_mark_names.find_name(k))}
+
+    def pointed_positions(self, marks: MarkPlaces, place: Callable[[complex], complex]) -> MarkPlaces:
         """The positions of marks that a person pointed to, by label.
 
         None in a force plan, where the order of vectors, and so the positions of marks, is free.
         """
-        force = plan_kind(self.asked.plan) == "force"
-        if force:
+        if self.kind == "force":
             return {}
-        return {n: place(z) for k, z in marks.items() if (n := self.written_mark_names.find_name(k))}
+        return {n: place(z) for n, z in self.marks_by_label(marks).items()}
 
-    def at_scale(self, mu: float, fixed: bool = False) -> PreparedPlan:
-        """The same at another scale; ``fixed`` if no other is considered."""
+    def at_scale(self, mu: float | None, fixed: bool = True) -> PreparedPlan:
+        """The same at another scale, if there is one; ``fixed`` if no other is considered."""
+        if not mu:
+            return self
         asked = replace(self.asked, mu=mu) if fixed else self.asked
         return replace(self, asked=asked, given={**self.given, mu_name(asked.plan): mu}, said_mu=mu)
 
@@ -195,7 +206,7 @@ def mark_names(plans: Plans, plan: str, naming: Naming) -> Names:
     return naming.name_finder([label_of(m) for m in plan_marks(plans, plan)], more=normal)
 
 
-def catalogue_mistakes(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
+def catalogue_mistakes(ways: PlanSteps, taken: ReadMarks, mu: float) -> Variants:
     """Every possible mistake in a plan, drawn at a scale with some of a person's own marks."""
     kind = plan_kind(ways.plan)
     if kind == "position":
@@ -203,16 +214,16 @@ def catalogue_mistakes(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float
     return force_variants(ways) if kind == "force" else motion_variants(ways)
 
 
-def mistake_variants(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float, plan: str = "") -> list[Variant]:
+def mistake_variants(bench: PreparedPlan, taken: ReadMarks, mu: float, plan: str = "") -> list[Variant]:
     """Every possible mistake in a plan, by default the one checked."""
     drive = bench.plans.drive_given_name
     there = replace(bench.plans, given={**bench.plans.given, drive: bench.given[drive]})
-    return list(catalogue_mistakes(PlanSteps(there, bench.program, plan or bench.asked.plan), taken, mu))
+    return list(catalogue_mistakes(PlanSteps(there, bench.program, plan or bench.plan), taken, mu))
 
 
 def drawn_mark_position(bench: PreparedPlan, variant: Variant | None, label: str) -> complex | None:
     """The position of a mark, mm from the pole, in this drawing of the plan; None if it cannot be drawn."""
     things = bench.draw_program(variant, Tool(Arithmetic()))
     if things:
-        return complex(things[full_mark_name(bench.asked.plan, label)])
+        return complex(things[full_mark_name(bench.plan, label)])
     return None

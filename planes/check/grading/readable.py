@@ -25,7 +25,7 @@ MOST_MARKS_ASKED = 3  # maximum number of marks in a question
 
 def key_marks(grading: Grading) -> list[str]:
     """The marks needed to judge a plan: its intersections, or all that are drawn."""
-    steps = grading.plans.program.steps_by_result
+    steps = grading.hand.program.steps_by_result
     key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
     return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
 
@@ -36,7 +36,7 @@ def unreadable_reason(grading: Grading, named: Collection[str] = ()) -> Phrase |
     read_marks = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
     if len(read_marks) < LEAST_READ_SHARE * len(key):
         missing = ", ".join(label_of(m) for m in key if m not in read_marks)
-        steps = grading.plans.program.steps_by_result
+        steps = grading.hand.program.steps_by_result
         drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # of coincident marks only one may be key
         read = sum(m in grading.judgement.misses for m in drawn)
         return phrase_with_remedy("check_too_little", found=read, count=len(drawn), names=missing)
@@ -75,19 +75,18 @@ def doubtful_marks_question(grading: Grading) -> Phrase | None:
     if not marks or grading.rebuilt:
         return phrase_with_remedy("check_force_unsure") if marks else None
     places = [(label_of(m), grading.hand.taken[m].place) for m in marks]
-    first = places[0][0]
     mark_list = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
-    return phrase_with_remedy("check_ask", "mark", marks=Written(mark_list), mark=first)
+    return phrase_with_remedy("check_ask", "mark", marks=Written(mark_list), mark=places[0][0])
 
 
 def other_plan_message(bench: PreparedPlan, paper: ReadPaper) -> Phrase | None:
     """The message that a table is of another plan: all its mark names belong there, and not here."""
     written = [s.name for s in paper.spots]
-    plan = bench.asked.plan
     if paper.picture or all(map(bench.written_mark_names.find_exact_name, written)):
         return None
-    others = (other for other in known_plans(bench.plans) if plan_kind(other) != plan_kind(plan))
+    others = (other for other in known_plans(bench.plans) if plan_kind(other) != bench.kind)
     fits = (o for o in others if all(map(mark_names(bench.plans, o, bench.naming).find_exact_name, written)))
     other = next(fits, "")
-    said = {"other": plan_phrase(other), "plan": plan_phrase(plan), "option": other} if other else {}
-    return Phrase("check_of_another_plan", **said) if other else None
+    if not other:
+        return None
+    return Phrase("check_of_another_plan", other=plan_phrase(other), plan=plan_phrase(bench.plan), option=other)

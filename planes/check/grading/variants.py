@@ -1,14 +1,16 @@
 """An assumed mistake: some steps of a program done differently, and their result."""
 
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterator, Mapping
 
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
-from planes.geometry.arithmetic import Point
 from planes.words import Phrase, Told, Written
 from planes.words.frozen import field, frozen
+
+Steps = tuple[Step, ...]
+Swaps = Mapping[str, Steps]
 
 
 @frozen
@@ -20,8 +22,8 @@ class Variant:
 
     mistake: str
     blames: str
-    swaps: Mapping[str, tuple[Step, ...]] = field(default_factory=dict)
-    givens: Mapping[str, Point] = field(default_factory=dict)
+    swaps: Swaps = field(default_factory=dict)
+    givens: Env = field(default_factory=dict)
     weight: float = 1.0
     about: Mapping[str, Told | Written] = field(default_factory=dict)  # names for the sentence
 
@@ -34,3 +36,6 @@ class Variant:
         """The result of the affected steps from elements drawn without it; ``fixed`` marks stay in place."""
         steps = program.steps_to_redraw(self.givens, self.swaps, fixed)
         return draw_steps(steps, {**things, **self.givens}, tool, self.swaps)
+
+
+Variants = Iterator[Variant]

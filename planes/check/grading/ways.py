@@ -1,26 +1,26 @@
 """A program drawn without a person's marks, and every possible mistake on its way to some results."""
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from planes.check.grading.handwork import Hand
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import ReadMarks
 from planes.check.grading.prepared_plan import PreparedPlan, known_plans, mistake_variants
 from planes.check.grading.slips import drawing_value
-from planes.check.grading.variants import Variant
+from planes.check.grading.variants import Variant, Variants
 from planes.words.names import mu_name, plan_of
 
 # weight of a mistake in a plan without any of the results: its own results are assumed to be right
 EARLIER_PLAN_WEIGHT = 0.25
 
 
-def true_plan_with_errors(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
+def true_plan_with_errors(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: ReadMarks) -> Hand:
     """The true plan with propagated drafting errors, all that its mistakes may read, and the wanted names."""
     program = bench.plans.program.cut_to_names([*bench.program.result_names, *(n for n in wanted if n)])
-    return Hand(program, {**bench.given, mu_name(bench.asked.plan): mu}, bench.asked.skill, taken)
+    return Hand(program, {**bench.given, mu_name(bench.plan): mu}, bench.asked.skill, taken)
 
 
-def mistakes_before_results(bench: PreparedPlan, free: Hand, shown: Collection[str]) -> Iterator[Variant]:
+def mistakes_before_results(bench: PreparedPlan, free: Hand, shown: Collection[str]) -> Variants:
     """The possible mistakes in each plan on the way to the results, which belong to the plans ``shown``.
 
     A mistake may also be a habit, made wherever a plan has a step of its kind.
@@ -35,7 +35,7 @@ def mistakes_before_results(bench: PreparedPlan, free: Hand, shown: Collection[s
                 yield replace(variant, weight=weight * variant.weight)
 
 
-def _repeated_mistakes(every: Sequence[Variant]) -> Iterator[Variant]:
+def _repeated_mistakes(every: Sequence[Variant]) -> Variants:
     """Each mistake made at all its marks, or at all but the driver's, where it can be made in one way at each."""
     for mistake in dict.fromkeys(v.mistake for v in every):
         same = [v for v in every if v.mistake == mistake]

@@ -2,12 +2,10 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 
-from numpy import logaddexp
-
-from planes.check.grading.evidence import chance_number_wrong, logistic
+from planes.check.grading.evidence import chance_number_wrong, log_sum, logistic
 from planes.check.grading.figures import WrittenNumber, value_without_error_columns
 from planes.check.grading.handwork import Hand
 from planes.check.grading.judging import LEAST_LEAD_LOG_ODDS, OTHER_CAUSE_WEIGHT
@@ -64,8 +62,8 @@ class Scored:
 class Account:
     """All figures of a table, judged."""
 
-    scored: list[Scored] = field(default_factory=list)
-    lengths: bool = False  # of the drawing, not results
+    scored: list[Scored]
+    lengths: bool  # of the drawing, not results
     named: Variant | None = None
     runner_up: str | None = None
     cause: float = 1.0  # the probability of the named cause, once the number is wrong
@@ -74,11 +72,6 @@ class Account:
     def first_wrong_figure(self) -> Scored | None:
         """The first figure that is not right."""
         return next((s for s in self.scored if s.verdict == "wrong"), None)
-
-    @property
-    def undecidable_figures(self) -> list[str]:
-        """The figures too close to a dead point to be judged."""
-        return [s.figure.name for s in self.scored if s.verdict == "too_near"]
 
     @property
     def first_wrong(self) -> str | None:
@@ -196,7 +189,7 @@ def _name_mistake(own_account: Account, free: Hand, variants: Iterable[Variant],
     rest = [one[0] for one in ranked[1:]]
     if not own_account.lengths or (first and first.slip):
         rest.append(_log_density_of_slips(own_account.scored, means))
-    odds = score - float(logaddexp.reduce([-math.inf, *rest]))
+    odds = score - log_sum(*rest)
     if (
         sum(fits) + math.log(variant.weight) > LEAST_LOG_LIKELIHOOD * len(fits)
         and score - max(rest, default=-math.inf) >= LEAST_LEAD_LOG_ODDS

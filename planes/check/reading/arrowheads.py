@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, continues_straight
-from planes.check.reading.written import Stroke, Strokes
+from planes.check.reading.written import Stroke, Strokes, vector_of
 from planes.geometry.plane import bounding_corners as box_of
-from planes.geometry.plane import direction_between, greatest_distance
+from planes.geometry.plane import direction_between, distance_to_nearest, greatest_distance
 
 LARGEST_HEAD_MM = 8.0  # maximum size of a closed figure as a head
 # the same if filled and no polygon, when this narrow between equal sides
@@ -136,7 +136,7 @@ def _tips_extending_shafts(strokes: Strokes, owned: Sequence[int], tips: dict[in
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
 
     def met(k: int, z: complex) -> bool:
-        return any(abs(z - w) < SAME_POINT_MM for j, w in ends if j != k)
+        return distance_to_nearest(z, (w for j, w in ends if j != k)) < SAME_POINT_MM
 
     beyond = sum(met(k, strokes[k][owned[k] > 0]) - met(k, tip) for k, tip in tips.items())
     return {} if beyond > 0 else tips
@@ -159,12 +159,12 @@ def _join_to_headed_strokes(sketch: ReadDrawing) -> None:
     """Joins strokes without heads to a stroke with a head that continues them straight on, where nothing else meets."""
     if len(sketch.strokes) > MOST_STROKES_JOINED:
         return
-    gone = set[int]()
+    gone = set()
     for k, way in enumerate(sketch.ways):
         while way:
             a, b = sketch.strokes[k][::way]
             near = [i for i, s in enumerate(sketch.strokes) if i != k and i not in gone]
-            near = [i for i in near if min(abs(a - z) for z in sketch.strokes[i]) < SAME_POINT_MM]
+            near = [i for i in near if distance_to_nearest(a, sketch.strokes[i]) < SAME_POINT_MM]
             if len(near) != 1 or sketch.ways[near[0]]:
                 break
             before = max(sketch.strokes[near[0]], key=lambda z: abs(z - a))
@@ -196,7 +196,7 @@ def ends_with_heads(strokes: Strokes, heads: Sequence[Arrowhead]) -> tuple[list[
         for head, held in zip(heads, near, strict=True)
     ]
     for candidates in sorted(wanted, key=len):
-        free = [(far, k, way, tip) for far, k, way, tip in candidates if not way_of[k]]
+        free = [one for one in candidates if not way_of[one[1]]]
         free = free or [one for one in candidates if way_of[one[1]] == -one[2] and one[0] < MOST_SECOND_HEAD_COST_MM]
         if free:
             far, k, way, tip = min(free, key=lambda one: one[:3])
@@ -233,14 +233,14 @@ def _candidate_ends(strokes: Strokes, head: Arrowhead, held: Iterable[int]) -> l
 
 def _open_heads(strokes: Strokes, free: Strokes) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
     """Pairs of short strokes, among those ``free``, that spread symmetrically from the end of a longer one."""
-    short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_HEAD_MM]
+    short = [s for s in free if abs(vector_of(s)) <= LARGEST_HEAD_MM]
     pairs = [(one, two) for i, one in enumerate(short) for two in short[:i]] if len(short) <= 400 else []
     spread = [(head, wings, far) for wings in pairs for head, far in _open_head_from_wings(*wings)]
     heads = []
     for head, wings, far in spread if len(strokes) * len(spread) <= MOST_STROKE_HEAD_PAIRS else ():
         others = [s for s in strokes if s not in wings]
         ends = _candidate_ends(others, head, range(len(others)))
-        lengths = ((off, abs(others[k][1] - others[k][0]) / far) for off, k, _ in ends)
+        lengths = ((off, abs(vector_of(others[k])) / far) for off, k, _ in ends)
         if any(
             long > LEAST_SHAFT_RATIO or (long > LEAST_EXACT_SHAFT_RATIO and off < EXACT_TIP_DISTANCE_MM)
             for off, long in lengths
@@ -264,7 +264,7 @@ def split_off_tapered_heads(
 ) -> tuple[list[complex], list[Arrowhead]]:
     """A polyline with segments that taper to zero: those are heads, and the line continues to their tips."""
     kept = [points[0]]
-    heads = list[Arrowhead]()
+    heads = []
     for (a, b), (wide, narrow) in zip(pairwise(points), widths, strict=False):
         small = 0 < abs(b - a) <= LARGEST_HEAD_MM
         if small and wide == 0 < narrow:

@@ -12,8 +12,8 @@ from planes.check.reading.strokes import (
     as_lines,
     strokes_with_heads,
 )
-from planes.check.reading.written import Stroke, Strokes
-from planes.geometry.plane import direction_between, sine_between
+from planes.check.reading.written import Stroke, Strokes, vector_of
+from planes.geometry.plane import direction_between, distance_to_nearest, sine_between
 
 ON_LINE_TOLERANCE_MM = 0.1  # a vector is drawn on its line
 TOUCH_MM = 0.01  # a line ends on another
@@ -26,6 +26,7 @@ MISREAD_SHARE_OF_MEETING = 0.0005  # the same for marks of such lines without he
 MISREAD_SHARE_OF_OVERRUNNING = 0.9  # the same for lines that overrun each other, or three and more on top of each other
 MOST_OVERRUN_MM = 20.0  # maximum overrun of lines
 LEAST_OVERRUNNING_ENDS = 2  # number of ends that prove it
+StrokeEnds = Sequence[tuple[int, complex]]  # the number of each end's stroke, and its place
 
 
 def misread_mark_share(sketch: ReadDrawing) -> float:
@@ -36,7 +37,7 @@ def misread_mark_share(sketch: ReadDrawing) -> float:
     if any(sketch.ways):
         return 0.0
     ends = [(k, z) for k in vector_strokes(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
-    met = share_of_meeting_ends(sketch.strokes, ends, FARTHEST_JOINED_ENDS_MM) >= LEAST_MEETING_SHARE
+    met = share_of_meeting_ends(sketch.strokes, ends) >= LEAST_MEETING_SHARE
     if len(ends) < MOST_STROKES_FOR_CROSSINGS and (
         _has_rows_of_strokes(sketch.strokes) or count_overrunning_ends(sketch.strokes, ends) >= LEAST_OVERRUNNING_ENDS
     ):
@@ -44,16 +45,17 @@ def misread_mark_share(sketch: ReadDrawing) -> float:
     return MISREAD_SHARE_OF_MEETING if met else MISREAD_SHARE
 
 
-def share_of_meeting_ends(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float) -> float:
+def share_of_meeting_ends(strokes: Strokes, ends: StrokeEnds) -> float:
     """The share of the ends of strokes that meet others."""
-    return sum(
-        _is_met_by_another(strokes, z, (k,), near) for k, z in ends if len(ends) < MOST_STROKES_FOR_CROSSINGS
-    ) / max(len(ends), 1)
+    if len(ends) >= MOST_STROKES_FOR_CROSSINGS:
+        return 0.0
+    met = sum(_is_met_by_another(strokes, z, (k,), FARTHEST_JOINED_ENDS_MM) for k, z in ends)
+    return met / max(len(ends), 1)
 
 
-def count_overrunning_ends(strokes: Strokes, ends: Sequence[tuple[int, complex]]) -> int:
+def count_overrunning_ends(strokes: Strokes, ends: StrokeEnds) -> int:
     """The number of ends slightly beyond a crossing with another stroke, or its end on theirs, that meet none."""
-    return sum(_crossed(strokes, k, z) for k, z in ends if not _is_met_by_another(strokes, z, (k,), SNAPPED_ENDS_MM))
+    return sum(_crossed(strokes, k, z) for k, z in ends if not _is_met_by_another(strokes, z, (k,)))
 
 
 def _crossed(strokes: Strokes, k: int, z: complex) -> bool:
@@ -90,7 +92,7 @@ def vector_strokes(sketch: ReadDrawing, closed: bool = False) -> list[int]:
 
 def _named_ends(sketch: ReadDrawing) -> list[complex]:
     """Ends of strokes that are the only ones beside a word."""
-    ends_named = list[complex]()
+    ends_named = []
     ends = [z for stroke in sketch.strokes for z in stroke]
     for word in sketch.words:
         near = [z for z in ends if word.distance(z) < MOST_NAME_TO_END_MM]
@@ -107,10 +109,10 @@ def _is_construction_line(strokes: Strokes, k: int, closed: bool, named: Sequenc
     for i, vector in enumerate(strokes):
         if i == k or not lies_on_longer_stroke(vector, strokes[k]):
             continue
-        beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_ENDS_MM for w in vector)]
-        inner = [w for w in vector if all(abs(z - w) > SNAPPED_ENDS_MM for z in strokes[k])]
+        beyond = [z for z in strokes[k] if distance_to_nearest(z, vector) > SNAPPED_ENDS_MM]
+        inner = [w for w in vector if distance_to_nearest(w, strokes[k]) > SNAPPED_ENDS_MM]
         ends = any(
-            _is_end_of_other_direction(strokes, z, strokes[k]) or any(abs(z - w) < SNAPPED_ENDS_MM for w in named)
+            _is_end_of_other_direction(strokes, z, strokes[k]) or distance_to_nearest(z, named) < SNAPPED_ENDS_MM
             for z in beyond
         )
         if beyond and not ends:
@@ -121,27 +123,27 @@ def _is_construction_line(strokes: Strokes, k: int, closed: bool, named: Sequenc
 def _is_end_of_other_direction(strokes: Strokes, z: complex, line: Stroke) -> bool:
     """Whether a stroke in another direction than a line begins or ends at a point."""
     return any(
-        any(abs(z - w) < SNAPPED_ENDS_MM for w in stroke) and not _is_parallel(stroke, line) for stroke in strokes
+        distance_to_nearest(z, stroke) < SNAPPED_ENDS_MM and not _is_parallel(stroke, line) for stroke in strokes
     )
 
 
 def _is_parallel(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke is parallel to a line, in either direction."""
-    return sine_between(one[1] - one[0], line[1] - line[0]) < MOST_PARALLEL_ANGLE_RAD
+    return sine_between(vector_of(one), vector_of(line)) < MOST_PARALLEL_ANGLE_RAD
 
 
 def lies_on_longer_stroke(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke lies on a longer one."""
     a, b = line
     local = [(z - a) / direction_between(a, b) for z in one]
-    return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_ENDS_MM and all(
+    return abs(vector_of(one)) < abs(b - a) - SNAPPED_ENDS_MM and all(
         abs(z.imag) < ON_LINE_TOLERANCE_MM and -SNAPPED_ENDS_MM < z.real < abs(b - a) + SNAPPED_ENDS_MM for z in local
     )
 
 
 def _is_met_by_another(strokes: Strokes, z: complex, but: Sequence[int], near: float = SNAPPED_ENDS_MM) -> bool:
     """Whether another stroke begins or ends at a point."""
-    return any(abs(z - w) < near for i, stroke in enumerate(strokes) if i not in but for w in stroke)
+    return any(distance_to_nearest(z, stroke) < near for i, stroke in enumerate(strokes) if i not in but)
 
 
 def covered_share(strokes: Strokes, a: complex, b: complex) -> float:

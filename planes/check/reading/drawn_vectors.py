@@ -11,9 +11,9 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.sign_faults import DrawnVector, Vector
 from planes.check.reading.construction_lines import covered_share
 from planes.check.reading.strokes import ReadDrawing, coincident_ends_distance_mm
-from planes.check.reading.written import Stroke, Strokes
+from planes.check.reading.written import Stroke, Strokes, vector_of
 from planes.drafting.skill import TOLERANCE_SIGMAS
-from planes.words.names import plan_kind
+from planes.geometry.plane import distance_to_nearest
 
 LEAST_DRAWN_SHARE = 0.7  # minimum drawn share of a vector without a head
 MOST_ASTRAY_SHARE = 0.51  # of its length: anything farther off is no attempt at a vector
@@ -24,9 +24,9 @@ Line = tuple[Stroke, bool]
 
 def drawn_motion_vectors(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedPlan) -> dict[Vector, DrawnVector]:
     """Every longer vector with both marks read; where none has a head, any line along it counts."""
-    if plan_kind(bench.asked.plan) in ("position", "force"):
+    if bench.kind in ("position", "force"):
         return {}
-    marks = {n: s.place for s in paper.spots if (n := bench.written_mark_names.find_name(s.name))}
+    marks = bench.marks_by_label({s.name: s.place for s in paper.spots})
     pairs = {v: (marks[v[0]], marks[v[1]]) for v in bench.vector_names if {*v} <= marks.keys()}
     vectors = {v: (a, b) for v, (a, b) in pairs.items() if abs(b - a) > SHORTEST_VECTOR_WITH_HEAD_MM}
     heads = [k for k, way in enumerate(sketch.ways) if way]
@@ -40,7 +40,7 @@ def drawn_motion_vectors(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedP
     arrows = [line for line, headed in lines if headed]
 
     def at_mark(z: complex) -> bool:
-        return any(abs(z - w) < near for w in marks.values())
+        return distance_to_nearest(z, marks.values()) < near
 
     joined = [(line, headed) for line, headed in lines if all(map(at_mark, line))]
     drawn_as = {v: one for v, way in vectors.items() if (one := _vector_drawn_end_to_end(joined, way, near))}
@@ -49,10 +49,10 @@ def drawn_motion_vectors(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedP
         aims = [v for v in vectors if len(free) == 1 or v not in drawn_as]
         aim = min(aims, key=lambda v: _largest_end_distance(arrow, vectors[v]), default=None) if free else None
         if aim and (off := _largest_end_distance(arrow, vectors[aim])) <= MOST_ASTRAY_SHARE * abs(
-            vectors[aim][1] - vectors[aim][0]
+            vector_of(vectors[aim])
         ):
             others = [w for other in arrows if other != arrow for w in other]
-            misread = any(abs(z - w) <= near for z in free for w in others)  # a mark at which others end, too
+            misread = any(distance_to_nearest(z, others) <= near for z in free)  # a mark at which others end, too
             drawn_as[aim] = DrawnVector("missing") if misread else DrawnVector("astray", off)
     return {v: drawn_as.get(v, DrawnVector("missing")) for v in vectors}
 
@@ -82,5 +82,5 @@ def _largest_end_distance(line: Stroke, way: Stroke) -> float:
 
 def _is_covered_by(line: Stroke, others: Strokes, near: float) -> bool:
     """Whether others run along all of a line."""
-    length = abs(line[1] - line[0])
+    length = abs(vector_of(line))
     return covered_share(others, *line) * length > length - near

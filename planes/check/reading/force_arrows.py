@@ -3,8 +3,6 @@
 Every arrow is the vector that it resembles and whose name stands beside it, in the right plan or in a mistake's.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -17,7 +15,7 @@ from planes.check.evidence.line_words import LineWord, words_among_names
 from planes.check.explaining import weights as w
 from planes.check.explaining.hypotheses import catalogue_hypotheses
 from planes.check.explaining.plan_lines import Hypothesis, PlanLines
-from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.paper import MarkPlaces, ReadMark, ReadPaper
 from planes.check.grading.polygons import known_force_labels, polygon_sides
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.remedies import phrase_with_remedy
@@ -26,9 +24,9 @@ from planes.check.reading.construction_lines import covered_share
 from planes.check.reading.parts import MOST_PART_TO_WORD_MM
 from planes.check.reading.strokes import LEAST_HEADED_STROKES, ReadDrawing, strokes_with_heads
 from planes.check.reading.weighed import agreement_score, is_right_paper
-from planes.check.reading.written import Stroke
+from planes.check.reading.written import Stroke, vector_of
 from planes.geometry.arrays import Array
-from planes.geometry.plane import perpendicular_foot
+from planes.geometry.plane import distance_to_nearest, perpendicular_foot
 from planes.words.names import POLE_LABEL, vector_end_label
 
 SHORTEST_VECTOR_WITH_HEAD_MM = 2.0  # a shorter vector may have no head
@@ -56,7 +54,6 @@ SMALLEST_PLAN_SIZE = 0.2
 EQUAL_SIZE_RATIO = 1.03
 OTHER_SIZE_COST = 3.0
 IMPOSSIBLE_COST, TINY = 1e6, 1e-9
-Known = dict[str, complex]
 Rows = Mapping[str, Stroke]
 NamedStrokes = Iterator[tuple[str, Stroke]]
 
@@ -66,7 +63,7 @@ class Reading:
     """The assignment of arrows to vectors under a hypothesis, and its cost; the expected vectors, mm."""
 
     cost: float
-    known: Known
+    known: MarkPlaces
     taken: dict[str, int]  # index among all directions of arrows, by vector name
     left: list[int]
 
@@ -80,36 +77,33 @@ class ForceArrows:
 
     def __post_init__(self) -> None:
         sketch = self.sketch
+        bench = self.bench
         many = len(sketch.strokes) > MOST_ARROWS and sum(map(bool, sketch.ways)) >= LEAST_HEADED_STROKES
         self.headed = many or bool(strokes_with_heads(sketch))
-        self.plan = PlanLines(self.bench, to_fit=False)
+        self.plan = PlanLines(bench, to_fit=False)
         self.written = self.needed = numpy.zeros(0, bool)  # names on the drawing; vectors that must be there
         self.prices = numpy.zeros((0, 0))  # cost of each name for each direction of an arrow
-        self.sides = polygon_sides(self.bench.plans, self.bench.asked.plan)
-        own, loads = {s.name for s in self.sides}, known_force_labels(self.bench.plans, self.bench.asked.plan)
-        segments = self.bench.plans.segments_by_plan.get(self.bench.asked.plan, ())
-        self.ends = {
-            vector_end_label(s.name): (s.start, s.end) for s in segments if vector_end_label(s.name) not in own
-        }
-        self.ends |= {s.name: (s.start, s.end) for s in self.sides}
-        self.names = sorted(self.ends, key=lambda n: n not in own)
-        self.names += [
-            f"{letter}_{index}" for *_, index in self.bench.leaning_reactions for letter in "NT"
-        ]  # may be drawn, too
+        self.sides = polygon_sides(bench.plans, bench.plan)
+        loads = known_force_labels(bench.plans, bench.plan)
+        segments = bench.plans.segments_by_plan.get(bench.plan, ())
+        own = {s.name: (s.start, s.end) for s in self.sides}
+        self.ends = own | {vector_end_label(s.name): (s.start, s.end) for s in segments} | own
+        leaning = (f"{letter}_{index}" for *_, index in bench.leaning_reactions for letter in "NT")
+        self.names = [*self.ends, *leaning]  # these may be drawn, too
         self.reactions = {s.name for s in self.sides if s.end not in loads}
         self.own = numpy.array([n in own for n in self.names])
         self.arrows: list[tuple[Stroke, ...]] = []
         for k, s in enumerate(sketch.strokes):
             if way := sketch.end_with_head(k):
                 self.arrows.append((s if way > 0 else s[::-1],))
-            elif not self.headed or abs(s[1] - s[0]) < SHORTEST_VECTOR_WITH_HEAD_MM:
+            elif not self.headed or abs(vector_of(s)) < SHORTEST_VECTOR_WITH_HEAD_MM:
                 self.arrows.append((s, s[::-1]))
         self.flat = [(i, s) for i, one in enumerate(self.arrows) for s in one]
-        self.v = numpy.array([b - a for _, (a, b) in self.flat])
+        self.v = numpy.array([vector_of(s) for _, s in self.flat])
         self.of = numpy.array([i for i, _ in self.flat])
         self.bare = numpy.array([self.headed and len(one) > 1 for one in self.arrows])  # without a head as others have
 
-    def vectors_by_name(self, h: Hypothesis) -> Known | None:
+    def vectors_by_name(self, h: Hypothesis) -> MarkPlaces | None:
         """Every vector that may be drawn, by name."""
         if (drawn := self.plan.drawn(h)) is None:
             return None
@@ -138,7 +132,8 @@ class ForceArrows:
             for k, (i, s) in enumerate(self.flat):
                 price = w.MISPLACED_NAME_WEIGHT * self._naming_cost(one, off, k, i, s, back[k])
                 for n in one.likely:
-                    cost[k, self.names.index(n)] = min(cost[k, self.names.index(n)], price)
+                    at = k, self.names.index(n)
+                    cost[at] = min(cost[at], price)
         return cost
 
     def _naming_cost(self, one: LineWord, off: Sequence[float], k: int, i: int, s: Stroke, back: int | None) -> float:
@@ -147,7 +142,7 @@ class ForceArrows:
         price = one.naming_cost(off[k], [mm for mm, (j, _) in zip(off, self.flat, strict=True) if j not in (i, pair)])
         if back is not None:  # it is at its own tip, or nearer to its own
             z = one.word.middle if one.led is None else one.led
-            ahead = ((z - s[0]) / (s[1] - s[0])).real - 0.5
+            ahead = ((z - s[0]) / vector_of(s)).real - 0.5
             by_tip = math.log(1 + math.exp(min(-2 * TIP_NAME_STEEPNESS * ahead, 40.0)))
             price += (
                 by_tip
@@ -182,7 +177,7 @@ class ForceArrows:
                     key=lambda r: r.cost,
                 )
 
-    def _possible_plan_sizes(self, known: Known) -> list[float]:
+    def _possible_plan_sizes(self, known: MarkPlaces) -> list[float]:
         """Sizes of the plan relative to the stated one: the drawer's choice unless given."""
         sizes = [1.0]
         lengths = [abs(v) for v in known.values() if abs(v) > SHORTEST_VECTOR_WITH_HEAD_MM]
@@ -193,7 +188,7 @@ class ForceArrows:
                 sizes.append(ratio)
         return sizes
 
-    def read_under_hypothesis(self, prior: float, known: Known, size: float, sigma: float) -> Reading:
+    def read_under_hypothesis(self, prior: float, known: MarkPlaces, size: float, sigma: float) -> Reading:
         """The likeliest reading under a hypothesis of this prior cost."""
         true = numpy.array([known[n] for n in self.names]) * size
         spread = sigma + (COMPUTED_FORCE_ERROR_SHARE * abs(true) if sigma == w.DRAWING_SIGMA_MM else 0.0)
@@ -244,12 +239,14 @@ def read_force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # vectors inside are optional
     unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > SHORTEST_VECTOR_WITH_HEAD_MM)
     paper.left = [n for n in unread if not _may_end_in_other_head(seen, true[n], rows)]
-    error = max(sketch.error_mm, GAP_ERROR_SHARE * _typical_gap(rows))
+    gaps = _end_to_start_gaps(rows)
+    meeting = [gap for gap in gaps if gap < MEETING_ENDS_MM]
+    error = max(sketch.error_mm, GAP_ERROR_SHARE * median(meeting or [0.0]))
     paper.spots = _spots(rows, error)
     paper.whole = seen.headed and all(
-        abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < SHORTEST_VECTOR_WITH_HEAD_MM for i in best.left
+        abs(vector_of(seen.arrows[i][0])) < SHORTEST_VECTOR_WITH_HEAD_MM for i in best.left
     )
-    room = 2 * max(_end_to_start_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
+    room = 2 * max(gaps, default=0.0)  # where all ends meet, no vector is hidden
     paper.whole &= all(
         n in rows or not SHORTEST_DRAWN_VECTOR_MM < abs(true[n]) < min(room, SHORTEST_VECTOR_WITH_HEAD_MM) for n in own
     )
@@ -262,9 +259,8 @@ def read_force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 def _vectors_with_arrows(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
     """The vectors with their arrows: a reaction and its only component, or two inner vectors, may share one."""
     rows = {n: seen.flat[k][1] for n, k in best.taken.items()}
-    known = best.known
     for n in (s.name for s in seen.sides):
-        alike = [m for m in rows if abs(known[m] - known[n]) < COINCIDENT_VECTORS_MM]
+        alike = [m for m in rows if abs(best.known[m] - best.known[n]) < COINCIDENT_VECTORS_MM]
         same = [m for m in alike if n in seen.reactions or not seen.own[seen.names.index(m)]]
         if n not in rows and same:
             rows[n] = rows[same[0]]
@@ -279,7 +275,7 @@ def _reversed_vectors(seen: ForceArrows, best: Reading, own: Collection[str]) ->
         if abs(v) <= SHORTEST_VECTOR_WITH_HEAD_MM or (n in best.taken and n in own):
             continue
         lying = [seen.flat[best.taken[n]][1]] if n in best.taken else left
-        back = next((s for s in lying if abs(s[1] - s[0] + v) < _vector_tolerance_mm(v)), None)
+        back = next((s for s in lying if abs(vector_of(s) + v) < _vector_tolerance_mm(v)), None)
         if back:
             left = [s for s in left if s != back]
             yield n, back[::-1]
@@ -302,13 +298,13 @@ def _swapped_and_misplaced_names(seen: ForceArrows, best: Reading) -> tuple[list
     return exchanged, [*compress(names, elsewhere)]
 
 
-def _headless_vectors(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
+def _headless_vectors(seen: ForceArrows, unread: MarkPlaces, rows: Rows) -> NamedStrokes:
     """Vectors that are headless lines from the end of one to the start of another, where others have heads."""
     ends = numpy.array([*rows.values()]).ravel()
     lines = [s for k, s in enumerate(seen.sketch.strokes) if seen.headed and not seen.sketch.end_with_head(k)]
     joined = [s for s in lines if all((abs(ends - z) < MEETING_ENDS_MM).any() for z in s)]
     for n, v in unread.items():
-        like = [s for one in joined for s in (one, one[::-1]) if abs(s[1] - s[0] - v) < _vector_tolerance_mm(v)]
+        like = [s for one in joined for s in (one, one[::-1]) if abs(vector_of(s) - v) < _vector_tolerance_mm(v)]
         yield from [(n, s) for s in like[:1] if abs(v) > SHORTEST_VECTOR_WITH_HEAD_MM]
 
 
@@ -335,7 +331,7 @@ def _is_only_guessed(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: 
     """
     if not seen.headed:
         begun = [a for a, _ in rows.values()]
-        if sum(all(abs(b - a) > MEETING_ENDS_MM for a in begun) for _, b in rows.values()) > 1:
+        if sum(distance_to_nearest(b, begun) > MEETING_ENDS_MM for _, b in rows.values()) > 1:
             return True
     if is_right_paper(bench, paper):
         return False
@@ -345,14 +341,9 @@ def _is_only_guessed(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: 
     return turned or not (seen.written & seen.own).any()
 
 
-def _typical_gap(rows: Rows) -> float:
-    """The distance between the ends and the starts of vectors that should meet."""
-    return median([gap for gap in _end_to_start_gaps(rows) if gap < MEETING_ENDS_MM] or [0.0])
-
-
 def _end_to_start_gaps(rows: Rows) -> list[float]:
     """The distance from the end of each vector to the start of another."""
-    return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
+    return [distance_to_nearest(b, [a for a, _ in rows.values()]) for _, b in rows.values()]
 
 
 def _spots(rows: Rows, error: float) -> list[ReadMark]:
@@ -360,12 +351,12 @@ def _spots(rows: Rows, error: float) -> list[ReadMark]:
     return [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE_LABEL, name), s, strict=True)]
 
 
-def _short_vectors_between(rows: Rows, known: Known) -> NamedStrokes:
+def _short_vectors_between(rows: Rows, known: MarkPlaces) -> NamedStrokes:
     """Short vectors, not drawn separately, between the end of one and the start of another."""
     begun = [a for a, _ in rows.values()]
     ended = [b for _, b in rows.values()]
     begun, ended = (
-        [z for z in one if all(abs(z - q) > PROGRAM_ACCURACY_MM for q in other)]
+        [z for z in one if distance_to_nearest(z, other) > PROGRAM_ACCURACY_MM]
         for one, other in ((begun, ended), (ended, begun))
     )
     short = [
@@ -381,7 +372,7 @@ def _short_vectors_between(rows: Rows, known: Known) -> NamedStrokes:
 
 def _leads_back_beside(s: Stroke, o: Stroke) -> bool:
     """Whether one vector leads back beside another."""
-    return abs(o[0] - s[1]) + abs(o[1] - s[0]) < OPPOSITE_VECTORS_GAP_RATIO * abs(s[1] - s[0])
+    return abs(o[0] - s[1]) + abs(o[1] - s[0]) < OPPOSITE_VECTORS_GAP_RATIO * abs(vector_of(s))
 
 
 def cheapest_assignment(table: Array) -> list[int]:

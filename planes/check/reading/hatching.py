@@ -9,7 +9,7 @@ import numpy
 from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.written import Strokes
+from planes.check.reading.written import Strokes, vector_of
 from planes.geometry.plane import direction_between
 
 LEAST_HATCH_ROWS = 4  # minimum number of rows in hatching
@@ -29,8 +29,9 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
     """
     free = _free_end_counts(sketch.strokes)
     gone = set[int]()
-    loose = {k for k, ends in enumerate(free) if ends == 2 and not sketch.end_with_head(k)}
-    for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.end_with_head(k)}):
+    bare = {k: ends for k, ends in enumerate(free) if ends and not sketch.end_with_head(k)}
+    loose = {k for k, ends in bare.items() if ends == 2}
+    for held in (loose, {*bare}):
         for alike in _parallel_groups(sketch.strokes, sorted(held)):
             gone.update(_strokes_in_even_rows(sketch.strokes, alike, loose))
     if gone:
@@ -41,7 +42,7 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
 def _free_end_counts(strokes: Strokes) -> list[int]:
     """The number of ends of each stroke without other ends close by, except those of other pieces of its row."""
     places = numpy.array(strokes, complex).ravel()
-    ways = numpy.repeat([cmath.rect(1.0, cmath.phase(b - a)) for a, b in strokes], 2)
+    ways = numpy.repeat([cmath.rect(1.0, cmath.phase(vector_of(s))) for s in strokes], 2)
     ends = points(places.real, places.imag)
     tree = STRtree(ends)
     joined = numpy.zeros(len(ends), bool)
@@ -58,7 +59,7 @@ def _free_end_counts(strokes: Strokes) -> list[int]:
 
 def _parallel_groups(strokes: Strokes, held: Sequence[int]) -> list[list[int]]:
     """Groups of parallel strokes."""
-    angles = {k: math.degrees(cmath.phase(strokes[k][1] - strokes[k][0])) % 180 for k in held}
+    angles = {k: math.degrees(cmath.phase(vector_of(strokes[k]))) % 180 for k in held}
     groups = _together(angles, PARALLEL_TOLERANCE_DEG)
     if len(groups) > 1 and angles[groups[0][0]] + 180 - angles[groups[-1][-1]] <= PARALLEL_TOLERANCE_DEG:
         groups[0] += groups.pop()  # horizontal strokes, some of them slightly below 180°

@@ -1,7 +1,7 @@
 """Finds the marks of a plan on a vector drawing by laying the plan on it."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations
 from statistics import median
@@ -15,7 +15,7 @@ from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
 from planes.check.explaining.sought_pole import likeliest_pole
 from planes.check.grading.evidence import LEAST_UNASKED_PROBABILITY
-from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.paper import MarkPlaces, ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.construction_lines import vector_strokes
 from planes.check.reading.force_arrows import read_force_arrows
@@ -24,7 +24,7 @@ from planes.check.reading.strokes import ReadDrawing, extend_strokes_to_hinges, 
 from planes.check.reading.written import Words
 from planes.geometry.arrays import Array, Complexes
 from planes.words import Phrase
-from planes.words.names import POLE_LABEL, plan_kind
+from planes.words.names import POLE_LABEL
 
 MOST_LINES_AROUND_PLAN = 1200  # lines of a plan with all around it: of 40 sheets of samples the fullest has 907
 LEAST_EXPLAINED_SHARE = 0.5  # minimum share of the lines around a plan that it explains
@@ -39,7 +39,7 @@ MOST_FAR_POLE_COST = 8.0  # maximum cost of a pole away from its name
 def read_plan_marks(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of a plan found on a sketch."""
     paper = ReadPaper(sketch.file, whole=False)
-    kind = plan_kind(bench.asked.plan)
+    kind = bench.kind
     if not sketch.strokes:
         paper.reason = Phrase("check_no_lines")
     elif len(sketch.strokes) > MOST_LINES_AROUND_PLAN:
@@ -58,9 +58,7 @@ def read_plan_marks(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 def _read_motion_or_scheme(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     """The marks of a plan of motion or a scheme."""
-    if plan_kind(bench.asked.plan) != "position" and (
-        count := ink.crowded_end_count
-    ):  # a scheme stands among other lines
+    if bench.kind != "position" and (count := ink.crowded_end_count):  # a scheme stands among other lines
         paper.reason = Phrase("check_crowd", count=count)
         return paper
     plan = PlanLines(_plan_at_named_scale(bench, ink), to_fit=False)
@@ -128,7 +126,7 @@ def _ambiguous_marks(seen: Explanation, ink: LineInk) -> set[str]:
         for one in (seen.right_drawing, seen.wrong_drawing)
         if one and seen.chance_of_other_drawing > w.LEAST_SERIOUS_DOUBT and one is not seen.likeliest_drawing
     ]
-    apart = set[str]()
+    apart = set()
     likely = (
         one
         for one in seen.laid
@@ -153,14 +151,14 @@ def _plan_at_named_scale(bench: PreparedPlan, ink: LineInk) -> PreparedPlan:
     ratio = median(best) if len(best) >= max(2, len(ratios) / 2) else 0.0
     if abs(ratio) < SAME_SCALE_LOG_RATIO:
         return bench
-    return bench.at_scale(bench.said_mu * math.exp(ratio))
+    return bench.at_scale(bench.said_mu * math.exp(ratio), fixed=False)
 
 
 def _log_scale_ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
     """Logarithms of the ratio of drawn to stated distances: from the pole, in a scheme between its points."""
     truth = bench.true_marks | {POLE_LABEL: 0j}
     places = _mark_places_by_names(bench, ink)
-    if POLE_LABEL in places or bench.asked.plan == "position":
+    if POLE_LABEL in places or bench.plan == "position":
         for one, two in (
             [(POLE_LABEL, n) for n in places if n != POLE_LABEL] if POLE_LABEL in places else combinations(places, 2)
         ):
@@ -169,7 +167,7 @@ def _log_scale_ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
             yield from [math.log(drawn / true)] if min(true, drawn) > SHORTEST_SCALE_VECTOR_MM else []
 
 
-def _mark_places_by_names(bench: PreparedPlan, ink: LineInk) -> dict[str, complex]:
+def _mark_places_by_names(bench: PreparedPlan, ink: LineInk) -> MarkPlaces:
     """The marks with names beside ends of lines, each at the nearest; where vectors have heads, at a tip."""
     ends = numpy.r_[ink.lines.ravel(), ink.rounds]
     places = dict[str, complex]()
@@ -195,7 +193,7 @@ def _marks_by_names_only(bench: PreparedPlan, ink: LineInk) -> Iterator[ReadMark
 
 
 def scale_sketch(
-    sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None, marks: Mapping[str, complex]
+    sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None, marks: MarkPlaces
 ) -> tuple[ReadDrawing, str | None]:
     """The sketch scaled by a named pole and a named vector; the vector's name."""
     named, place = next(iter(marks.items()), ("", pole))

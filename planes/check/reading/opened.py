@@ -24,20 +24,25 @@ def read_bounded_bytes(path: str | Path, most: int) -> bytes:
     file = Path(path)
     try:
         if file.exists() and not file.is_file():
-            raise PlanesError(Phrase("check_no_plain_file", file=str(path)))
+            raise file_error("check_no_plain_file", path)
         with file.open("rb") as opened:
             data = opened.read(most + 1)
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or str(error)
-        raise PlanesError(Phrase("check_no_file", file=str(path), why=why)) from None
+        raise file_error("check_no_file", path, why=why) from None
     if len(data) > most:
-        raise PlanesError(Phrase("check_large_file", file=str(path), most=most // MB))
+        raise file_error("check_large_file", path, most=most // MB)
     return data
+
+
+def file_error(key: str, file: str | Path, **parts: object) -> PlanesError:
+    """An error that names the file."""
+    return PlanesError(Phrase(key, file=str(file), **parts))
 
 
 def too_many_error(file: str, what: str, most: int) -> PlanesError:
     """An error for a file that holds more than any drawing of a plan; ``what`` is counted."""
-    return PlanesError(Phrase("check_too_many", file=file, what=Phrase(f"count_{what}"), most=most))
+    return file_error("check_too_many", file, what=Phrase(f"count_{what}"), most=most)
 
 
 @contextmanager

@@ -9,7 +9,7 @@ from shapely import STRtree, buffer, distance, get_parts, length, multilinestrin
 
 from planes.check.reading.hatching import without_hatching
 from planes.check.reading.strokes import ReadDrawing, as_lines
-from planes.check.reading.written import Strokes, Words
+from planes.check.reading.written import Strokes, Words, vector_of
 from planes.geometry.arrays import Booleans, Complexes
 
 CONNECTED_STROKES_MM = 2.3  # closer strokes belong together: a force is drawn this far beside another one
@@ -132,7 +132,7 @@ def _part_of_strokes(sketch: ReadDrawing, held: list[int], least_mm: float) -> R
 
 def _is_table(strokes: Strokes, size: complex) -> bool:
     """Whether three or more strokes span the width, and three the height."""
-    spans = [b - a for a, b in strokes]
+    spans = [*map(vector_of, strokes)]
     across = sum(
         abs(abs(s.real) - size.real) < TOUCHING_STROKES_MM and abs(s.imag) < TOUCHING_STROKES_MM for s in spans
     )

@@ -27,14 +27,13 @@ def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
         document = pypdfium2.PdfDocument(data)
     except pypdfium2.PdfiumError:
         return None
-    try:
+    with document:
         root = _page_as_svg(document[page]) if 0 <= page < len(document) else None
-        drawing = None if root is None else drawing_from_svg(root, str(path))
-        if drawing:
-            drawing.words = merge_word_pieces(drawing.words)
+        if root is None:
+            return None
+        drawing = drawing_from_svg(root, str(path))
+        drawing.words = merge_word_pieces(drawing.words)
         return drawing
-    finally:
-        document.close()
 
 
 def _page_as_svg(page: Any) -> ElementTree.Element | None:

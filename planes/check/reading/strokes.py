@@ -13,8 +13,8 @@ import numpy
 from shapely import linestrings
 
 from planes.check.reading.opened import too_many_error
-from planes.check.reading.written import Stroke, Strokes, Words
-from planes.geometry.plane import bounding_corners
+from planes.check.reading.written import Stroke, Strokes, Words, vector_of
+from planes.geometry.plane import bounding_corners, distance_to_nearest
 
 Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
 LONGEST_TEXT = 200  # letters of a text
@@ -88,9 +88,10 @@ class ReadDrawing:
         }
         self.passed += len(on)
         line = [z for k, z in enumerate(line) if k not in on]
-        for a, b in pairwise(line):
-            if cmath.isfinite(a) and cmath.isfinite(b) and abs(b - a) > 0.02:
-                (self.strokes if abs(b - a) >= SHORTEST_STROKE_MM else self.short).append((a, b))
+        for stroke in pairwise(line):
+            length = abs(vector_of(stroke))
+            if 0.02 < length < math.inf:
+                (self.strokes if length >= SHORTEST_STROKE_MM else self.short).append(stroke)
         for count, most in ((len(self.strokes) + self.passed, MOST_STROKES), (len(self.short), MOST_SHORT_STROKES)):
             if count > most:
                 raise too_many_error(self.file, "strokes", most)
@@ -131,7 +132,7 @@ def coincident_ends_distance_mm(strokes: Strokes, vectors: Sequence[int]) -> flo
     if len(ends) > 2 * MOST_STROKES_FOR_CROSSINGS:
         return ENDS_JOINED_BY_EYE_MM
     asked = ((k, z) for k in vectors for z in strokes[k])
-    gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
+    gaps = sorted(distance_to_nearest(z, (w for j, w in ends if j != k)) for k, z in asked)
     joined = [g for g in gaps if g < FARTHEST_JOINED_ENDS_MM]
     if not joined or sum(g < SNAPPED_ENDS_MM for g in joined) > 0.7 * len(joined):
         return SNAPPED_ENDS_MM if joined else ENDS_JOINED_BY_EYE_MM

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -9,7 +10,7 @@ from fontTools.misc.transform import Transform
 
 from planes.check.reading.arrowheads import arrow_or_head_from_figure, assign_arrowheads
 from planes.check.reading.opened import LARGEST_FILE_BYTES as LARGEST_PICTURE
-from planes.check.reading.opened import MB, read_bounded_bytes, too_many_error
+from planes.check.reading.opened import MB, file_error, read_bounded_bytes, too_many_error
 from planes.check.reading.parts import remove_letter_strokes, text_width_in_heights
 from planes.check.reading.strokes import LARGEST_POINT_RADIUS_MM, Arrowhead, ReadDrawing
 from planes.check.reading.svg_css import (
@@ -27,8 +28,6 @@ from planes.check.reading.svg_shapes import MOST_ELEMENTS, parse_xml_tree, read_
 from planes.check.reading.written import Words
 from planes.geometry.plane import direction_between
 from planes.scene.carried import drawing_in_png
-from planes.words import Phrase
-from planes.words.errors import PlanesError
 
 LARGEST_SVG_BYTES = 12 * MB
 SHAPE_LETTERS_PER_ELEMENT = 50  # of a shape's description that take as long to read as one element
@@ -42,7 +41,7 @@ def read_svg(path: str | Path) -> ReadDrawing:
     """The strokes of a file in mm, y up. :class:`PlanesError` if it is not an SVG."""
     root = parse_xml_tree(read_bounded_bytes(path, LARGEST_SVG_BYTES), str(path))
     if root.tag != "svg":
-        raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{root.tag}>"))
+        raise file_error("check_svg", path, why=f"<{root.tag}>")
     return drawing_from_svg(root, str(path))
 
 
@@ -79,17 +78,15 @@ def _transformed_point(m: Transform, z: complex) -> complex:
     return complex(*m.transformPoint((z.real, z.imag)))
 
 
+@dataclass
 class _Reader:
     """Walks the tree; the attributes of a group apply to all its content."""
 
-    def __init__(
-        self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[ElementTree.Element, Looks]
-    ) -> None:
-        self.sketch = sketch
-        self.named = named
-        self.rules = rules
-        self.count = 0
-        self.said = set[str]()
+    sketch: ReadDrawing
+    named: dict[str, ElementTree.Element]
+    rules: Mapping[ElementTree.Element, Looks]
+    count: int = 0
+    said: set[str] = field(default_factory=set)
 
     def read_element(self, e: ElementTree.Element, m: Transform, depth: int, looks: Looks, used: bool = False) -> None:
         new = {e.get(k, "") for k in ("style", "transform")} - self.said
@@ -133,8 +130,7 @@ class _Reader:
 
     def _add_shape(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
         stroke = looks.get("stroke", "")
-        fill = looks.get("fill", "")
-        solid = stroke == "none" or (not stroke and fill not in ("", "none"))
+        solid = stroke == "none" or (not stroke and looks.get("fill", "none") not in ("", "none"))
         parts = list(read_subpaths(e))
         for circle in (one.circle for one in parts):
             if circle:
@@ -177,8 +173,7 @@ class _Reader:
             pieces = [(first, text)]
         boxes = [_text_box(c, t, _letter_size(style_of_element(c, self.rules), looks)) for c, t in pieces]
         right = complex(m.xx, m.xy)
-        down = complex(m.yx, m.yy)
-        height = boxes[0][2] * abs(down)
+        height = boxes[0][2] * abs(complex(m.yx, m.yy))
         along = right / abs(right) if abs(right) else 1 + 0j
         width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)
         back = {"middle": 0.5, "end": 1.0}.get(looks.get("text-anchor", ""), 0.0) * width

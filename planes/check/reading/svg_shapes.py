@@ -9,10 +9,9 @@ from xml.parsers import expat
 from fontTools.pens.recordingPen import RecordingPen
 from fontTools.svgLib.path.parser import parse_path
 
-from planes.check.reading.opened import too_many_error
+from planes.check.reading.opened import file_error, too_many_error
 from planes.check.reading.svg_css import number_attribute
-from planes.words import Phrase
-from planes.words.errors import PlanesError, reporting_library_errors
+from planes.words.errors import reporting_library_errors
 from planes.words.frozen import frozen
 
 MOST_ELEMENTS = 60_000  # elements
@@ -48,7 +47,7 @@ def parse_xml_tree(data: bytes, file: str) -> ElementTree.Element:
         builder.end(NAMESPACE_PREFIX.sub("", tag))
 
     def entity(*_: object) -> None:
-        raise PlanesError(Phrase("check_svg_entities", file=file))
+        raise file_error("check_svg_entities", file)
 
     parser.buffer_text = True
     parser.StartElementHandler = start
@@ -100,7 +99,7 @@ class Subpath:
 
 def read_subpaths(e: ElementTree.Element) -> Iterator[Subpath]:
     """The parts of a line, a polyline, a polygon or a path, as far as it can be read."""
-    pen, corners, straight = RecordingPen(), list[complex](), list[bool]()
+    pen, corners, straight = RecordingPen(), [], list[bool]()
 
     def arc_to(*arc: object) -> None:
         pen.value.append(("arcTo", arc[-1:]))  # only the end of an arc

@@ -27,7 +27,7 @@ def is_right_paper(bench: PreparedPlan, paper: ReadPaper) -> bool:
 
 def agreement_score(bench: PreparedPlan, paper: ReadPaper) -> float:
     """The number of a paper's marks at their constructed points, minus the number of others."""
-    bench = bench.at_scale(paper.mu, fixed=True) if paper.mu else bench
+    bench = bench.at_scale(paper.mu)
     grading = _grading_or_none(bench, paper) if paper.spots else None
     if grading is None:
         return -len(bench.marks)

@@ -30,18 +30,18 @@ _SCALE_IN_TITLE = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 def read_page(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other contents, too."""
-    sides = [side.name for side in polygon_sides(bench.plans, bench.asked.plan)]
-    known = bench.naming.name_finder(sides) if plan_kind(bench.asked.plan) == "force" else bench.written_mark_names
+    sides = [side.name for side in polygon_sides(bench.plans, bench.plan)]
+    known = bench.naming.name_finder(sides) if bench.kind == "force" else bench.written_mark_names
 
     def named(part: ReadDrawing) -> int:
         return len({known.find_exact_name(one.text) for w in part.words for one in w.split_names()} - {None})
 
     def own(pieces: list[ReadDrawing]) -> list[ReadDrawing]:
         """Those under the plan's title that name parts of it, unlike a diagram of the same quantity."""
-        return [p for p in pieces if named(p) and scale_in_title(sketch.words, p, bench.asked.plan, plans)[1]]
+        return [p for p in pieces if named(p) and scale_in_title(sketch.words, p, bench.plan, plans)[1]]
 
     plans = known_plans(bench.plans)
-    if shows_other_plans_only(sketch.words, bench.asked.plan, plans):
+    if shows_other_plans_only(sketch.words, bench.plan, plans):
         return ReadPaper(sketch.file, whole=False)
     pieces = connected_parts(sketch)
     titled = own(pieces)
@@ -57,9 +57,9 @@ def read_page(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 def _read_part(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale in its title."""
-    said = None if bench.asked.mu else scale_in_title(words, part, bench.asked.plan, known_plans(bench.plans))[0]
+    said = None if bench.asked.mu else scale_in_title(words, part, bench.plan, known_plans(bench.plans))[0]
     mu = said and said * detail_enlargement(words, part)
-    paper = read_plan_marks(part, bench.at_scale(mu, fixed=True) if mu else bench)
+    paper = read_plan_marks(part, bench.at_scale(mu))
     paper.mu = mu
     return paper
 

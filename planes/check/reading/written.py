@@ -7,11 +7,17 @@ import re
 from collections.abc import Iterable, Sequence
 
 from planes.words.frozen import frozen, replace
+from planes.words.names import NamePair
 
 Stroke = tuple[complex, complex]
 Strokes = Sequence[Stroke]
 LONGEST_NAME_LIST = 40  # letters of names in a row
 _END_NUMBERS = re.compile(r"\((\d+)–(\d+)\)")
+
+
+def vector_of(stroke: Stroke) -> complex:
+    """The vector from the first to the second end."""
+    return stroke[1] - stroke[0]
 
 
 @frozen
@@ -23,7 +29,7 @@ class Words:
     height: float = 3.5
     width: float = 0.0
     along: complex = 1 + 0j
-    ends: tuple[str, str] | None = None  # numbers at the ends of the vectors it names
+    ends: NamePair | None = None  # numbers at the ends of the vectors it names
 
     def split_names(self) -> list[Words]:
         """One for each of several names in a row: p, a, d, or F = R; with numbers of ends, G (1–2).
@@ -63,4 +69,4 @@ class Words:
 
     def distance_to_vector(self, stroke: Stroke) -> float:
         """Its distance from the middle part of a vector."""
-        return min(self.distance(stroke[0] + (stroke[1] - stroke[0]) * t / 8) for t in range(1, 8))
+        return min(self.distance(stroke[0] + vector_of(stroke) * t / 8) for t in range(1, 8))

@@ -191,7 +191,7 @@ def correction_hint(outcome: Outcome, lang: Lang) -> str:
 def report_title(outcome: Outcome, lang: Lang) -> str:
     """The plan (or the note that these are results) and the scene."""
     scene = outcome.bench.asked.scene
-    head = say("check_numbers", lang) if outcome.has_only_results else plan_title(outcome.bench.asked.plan, lang)
+    head = say("check_numbers", lang) if outcome.has_only_results else plan_title(outcome.bench.plan, lang)
     return f"{head}: {scene.title.get(lang, '') or scene.file}"
 
 
@@ -257,7 +257,7 @@ def page_data(outcome: Outcome, lang: Lang, places: Sequence[Json] | None = None
         "command": check_command(outcome),
         "saved": corrected_table_name(outcome),
         "look": outcome.paper.look,
-        "kind": plan_kind(outcome.bench.asked.plan),
+        "kind": outcome.bench.kind,
         "lettering": scene_lettering(outcome.bench.asked.scene, outcome.bench.plans),
         "places": wrong_places(outcome) if places is None else places,
         "asked": sentence.key == "check_ask",

@@ -20,7 +20,15 @@ from planes.words.naming import Naming
 from planes.words.records import Json
 
 UNREADABLE_RANK, UNSURE_RANK, WRONG_RANK, RIGHT_RANK = range(4)
-HEADING_KEYS = ("check_file", "check_verdict", "check_mark", "check_first")
+HEADING_KEYS = {
+    "file": "check_file",
+    "whose": "check_whose",
+    "plan": "check_plan",
+    "verdict": "check_verdict",
+    "first": "check_mark",
+    "said": "check_first",
+}
+"""The headings of columns, as keys of the table of words."""
 
 
 @frozen
@@ -105,7 +113,7 @@ class ClassRow:
 def _plan_text(outcome: Outcome, lang: Lang) -> str:
     if outcome.has_only_results:
         return say("check_numbers", lang)
-    return plan_name_in_words(outcome.bench.asked.plan, lang)
+    return plan_name_in_words(outcome.bench.plan, lang)
 
 
 def teacher_priority(one: Checked) -> int:
@@ -124,10 +132,8 @@ def table_columns(rows: Sequence[ClassRow], lang: Lang) -> tuple[list[str], list
     """The keys and headings of a table's columns: the owner only where known, the plan only where they differ."""
     whose, plans = ({getattr(row, key) for row in rows} - {""} for key in ("whose", "plan"))
     more = ["whose"] * bool(whose) + ["plan"] * (bool(whose) or len(plans) > 1)
-    words = {"whose": "check_whose", "plan": "check_plan"}
     keys = ["file", *more, "verdict", "first", "said"]
-    names = dict(zip(("file", "verdict", "first", "said"), HEADING_KEYS, strict=True)) | words
-    return keys, [say(names[key], lang) for key in keys]
+    return keys, [say(HEADING_KEYS[key], lang) for key in keys]
 
 
 def row_cells(row: ClassRow, keys: Sequence[str], lang: Lang) -> list[str]:

@@ -1,7 +1,5 @@
 """Data for judging moved marks on a page: the tape, the right plan, the rule, the possible sentences."""
 
-import base64
-from collections.abc import Mapping
 from dataclasses import astuple
 
 from planes.check.blank import blank_pole
@@ -9,20 +7,21 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading import evidence, judging, off_vectors
 from planes.check.grading.grading import Grading
 from planes.check.grading.handwork import LEAST_MARK_ERROR_MM
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import MarkPlaces, ReadMark
 from planes.check.grading.polygons import polygon_sides
 from planes.check.grading.prepared_plan import mistake_variants
 from planes.check.grading.readable import LEAST_READ_SHARE, key_marks
 from planes.check.grading.remedies import phrase_for_reader, phrase_with_remedy
 from planes.check.grading.variants import Variant
 from planes.check.outcome import Outcome
-from planes.check.report.regrading import SCREEN_MARK_ERROR_MM, grading_tape
+from planes.check.report.places import jpeg_data_address
+from planes.check.report.regrading import SCREEN_MARK_ERROR_MM, Places, TapePair, grading_tape
 from planes.check.report.shown import own_marks, own_side_order, point_coordinates, shown_plans, vector_end_labels
 from planes.drafting.steps import Same
 from planes.geometry.plane import bounding_corners
 from planes.plans.scales import plan_extent
 from planes.words import Lang, Phrase, say
-from planes.words.names import POLE_LABEL, label_of, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, label_of, plan_of
 from planes.words.records import Json
 
 MARK_VERDICTS = ("right", "wrong", "follows", "unread")
@@ -32,19 +31,18 @@ PAGE_MARGIN_MM = 12.0  # around a drawing on a page
 def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     """The data that a page needs to judge moved marks."""
     bench = outcome.bench
-    plan = outcome.bench.asked.plan
     taken = grading.hand.taken
     variants = mistake_variants(bench, taken, grading.mu)
     tape, (misses, *supposed) = grading_tape(grading, variants)
     truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
-    earlier = {m: point_coordinates(t.place) for m, t in taken.items() if plan_of(m) != plan}
-    force = plan_kind(plan) == "force"
+    earlier = {m: point_coordinates(t.place) for m, t in taken.items() if plan_of(m) != bench.plan}
+    force = bench.kind == "force"
     return {
-        "kind": plan_kind(plan),
+        "kind": bench.kind,
         "marks": [_mark_data(grading, m, misses[m]) for m in grading.marks],
         "vectors": vector_end_labels(bench),
         "truth": {POLE_LABEL: [0.0, 0.0], **{n: point_coordinates(z) for n, z in truth.items()}},
-        "rows": [astuple(s) for s in polygon_sides(bench.plans, plan)]
+        "rows": [astuple(s) for s in polygon_sides(bench.plans, bench.plan)]
         if force
         else [(n, POLE_LABEL, n) for n in truth],
         "chained": force,
@@ -64,7 +62,7 @@ def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     }
 
 
-def _mark_data(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
+def _mark_data(grading: Grading, mark: str, miss: TapePair) -> Json:
     """A mark: its position, if it was read, and the data for its verdict."""
     taken = grading.hand.taken.get(mark)
     true = grading.truth[mark]
@@ -84,7 +82,7 @@ def _mark_data(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
     }
 
 
-def _variant_data(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Json:
+def _variant_data(v: Variant, under: Places, lang: Lang) -> Json:
     return {
         "mistake": v.mistake,
         "blames": v.blames,
@@ -96,8 +94,6 @@ def _variant_data(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) 
 
 def _verdict_parameters(grading: Grading) -> Json:
     """The numbers that verdicts depend on."""
-    absent = grading.rebuilt.absent if grading.rebuilt else ()
-    point = grading.hand.tool.skill.point_mm
     same = (s.makes for s in grading.hand.program.steps if isinstance(s, Same))
     return {
         "false_alarm": judging.FALSE_ALARM_SHARE,
@@ -114,12 +110,12 @@ def _verdict_parameters(grading: Grading) -> Json:
         "broad": evidence.log_density_anywhere(plan_extent(grading.truth, plan_of(grading.marks[0]))),
         "readable": LEAST_READ_SHARE,
         "key": [label_of(m) for m in key_marks(grading)],
-        "absent": sorted(absent),
+        "absent": sorted(grading.rebuilt.absent) if grading.rebuilt else [],
         "shown_by": [
             (label_of(m), [[label_of(k) for k in way] for way in ways]) for m, ways in grading.determining_marks.items()
         ],
         "same": [label_of(m) for m in same if m in grading.marks],
-        "smallest": evidence.SMALLEST_DRAWING_SIGMAS * point,
+        "smallest": evidence.SMALLEST_DRAWING_SIGMAS * grading.hand.tool.skill.point_mm,
         "sure": evidence.MOST_CHANCE_OF_RANDOM_MARKS,
         "free": not grading.said_mu,
         "gap": grading.closing_error_sigma_mm,
@@ -151,20 +147,20 @@ def _polygon_fault_data(grading: Grading, lang: Lang) -> Json | None:
     return None
 
 
-def _picture_and_box(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
+def _picture_and_box(outcome: Outcome, truth: MarkPlaces) -> Json:
     """The picture, if any, and the part of the paper to show."""
     paper = outcome.paper
     if paper.picture:
         w, h = SHEET_MM
         pole = blank_pole(outcome.bench)
         box = paper.box or (-pole.real, -pole.imag, w - pole.real, h - pole.imag)
-        href = "data:image/jpeg;base64," + base64.b64encode(paper.picture).decode()
+        href = jpeg_data_address(paper.picture)
         unread = outcome.grading is None or any(m not in outcome.grading.hand.taken for m in outcome.grading.marks)
         return {"picture": {"href": href, "box": box}, "box": box if unread else _box_of_both_plans(outcome, truth)}
     return {"picture": None, "box": _box_of_both_plans(outcome, truth)}
 
 
-def _box_of_both_plans(outcome: Outcome, truth: Mapping[str, complex]) -> list[float]:
+def _box_of_both_plans(outcome: Outcome, truth: MarkPlaces) -> list[float]:
     """The bounding box of both plans: left, bottom, right, top."""
     shown = shown_plans(outcome)
     margin = complex(PAGE_MARGIN_MM, PAGE_MARGIN_MM)

@@ -22,7 +22,8 @@ from planes.drafting.tools import Env
 from planes.geometry.arithmetic import Truth
 from planes.words.records import Json
 
-Places = dict[str, tuple[int, int]]  # positions on a tape of x and y of each mark's miss
+TapePair = tuple[int, int]
+Places = dict[str, TapePair]  # positions on a tape of x and y of each mark's miss
 SCREEN_MARK_ERROR_MM = 0.2  # accuracy of placing a mark on the screen
 
 
@@ -51,12 +52,14 @@ class _Desk:
     def __init__(self, grading: Grading) -> None:
         hand = grading.hand
         skill = hand.tool.skill
-        errors = (skill.point_mm, math.radians(skill.ray_deg), skill.ruler_mm)
+        self.errors = (skill.point_mm, math.radians(skill.ray_deg), skill.ruler_mm)
         late = [m for m in grading.marks if m not in hand.taken]
         self.program = hand.program
         self.taken = hand.taken
         self.tape = Tape()
-        self.tool = _TapeHand(PlainRecording(), True, tape=self.tape, errors=errors, late=late, plans=12, settled=1e-5)
+        self.tool = _TapeHand(
+            PlainRecording(), True, tape=self.tape, errors=self.errors, late=late, plans=12, settled=1e-5
+        )
         self.own = {
             mark: self._read_mark_position(mark) for mark in (*hand.taken, *late) if mark in hand.program.result_names
         }
@@ -70,8 +73,8 @@ class _Desk:
     def _read_mark_position(self, mark: str) -> Vec:
         """The position of a read mark, with its reading error."""
         error = self.taken[mark].error_mm if mark in self.taken else SCREEN_MARK_ERROR_MM
-        step = self.program.steps_by_result[mark]
-        error = max(error, self.tool.errors[0]) if isinstance(step, Same) and self.tool.errors else error
+        if isinstance(self.program.steps_by_result[mark], Same):
+            error = max(error, self.errors[0])
         x, y = (
             Num(self.tape, self.tape.record_leaf("given", f"{mark}.{axis}")) + self.tool.source(error) for axis in "xy"
         )

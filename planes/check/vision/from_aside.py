@@ -5,12 +5,12 @@ tilt is an error shared by all marks: if one mark is off by it, others are expec
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy
 
-from planes.check.grading.paper import ReadMark
+from planes.check.grading.paper import MarkPlaces, ReadMark
 from planes.check.vision.image.lens import Lens
 from planes.geometry.arrays import Array, Complexes
 
@@ -18,6 +18,7 @@ SHEET_TURN_SIGMA_RAD = math.radians(0.7)  # σ of a sheet's rotation
 MARK_SIGMA_MM, SCALE_VECTOR_SIGMA_MM = 0.7, 0.6  # σ of a mark, and of the vector that set the scale
 LEAST_TILT_SLOPE = math.tan(math.radians(2.0))  # a smaller tilt is not worth another pass
 LEAST_MARKS = 4
+HARDLY_FREE = 1e-6  # of its σ, a tilt that is held
 LEAST_LIKELIHOOD_GAIN = 1.2  # minimum gain in log likelihood: the errors of a careful hand gain 1.1 now and then
 OUTLIER_WIDTHS_MM = (6.0, 3.0, 1.5, *(MARK_SIGMA_MM,) * 7)  # weights of distant marks decrease step by step
 
@@ -30,9 +31,7 @@ def with_scale_and_tilt_errors(spot: ReadMark, about: complex, share: float, len
     return replace(spot, error_mm=math.hypot(spot.error_mm, share * abs(z), tilted), shared=shared)
 
 
-def fitted_camera_tilt(
-    lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]
-) -> complex | None:
+def fitted_camera_tilt(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: MarkPlaces) -> complex | None:
     """The additional tilt (slopes to the right and up) that fits a plan's marks to the right ones best.
 
     None if it is small or poorly determined.
@@ -41,7 +40,7 @@ def fitted_camera_tilt(
     if len(pairs) < LEAST_MARKS:
         return None
     seen, right = (numpy.array(part) for part in zip(*pairs, strict=True))
-    plain, tilted = (_fit_tilt(lens, seen, right, free) for free in (0.0, 1.0))
+    plain, tilted = (_fit_tilt(lens, seen, right, free) for free in (HARDLY_FREE, 1.0))
     tilt = lens.held.slopes_for_sigmas(tilted)
     gain = _fit_cost(lens, seen, right, plain) - _fit_cost(lens, seen, right, tilted)
     if abs(tilt) > LEAST_TILT_SLOPE and gain > LEAST_LIKELIHOOD_GAIN:
@@ -49,7 +48,7 @@ def fitted_camera_tilt(
     return None
 
 
-def log_deviation_from_plan(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]) -> float:
+def log_deviation_from_plan(pole: complex, spots: Sequence[ReadMark], true: MarkPlaces) -> float:
     """The deviation of marks from the right plan, as a logarithm; unread ones count as far off."""
     places = {s.name: s.place - pole for s in spots}
     seen = numpy.array([places.get(n, math.inf) for n in true])
@@ -78,9 +77,9 @@ def _fit_cost(lens: Lens, seen: Complexes, right: Complexes, k: Array) -> float:
 
 
 def _fit_tilt(lens: Lens, seen: Complexes, right: Complexes, free: float) -> Array:
-    """Tilt (if ``free``), rotation and scaling that fit marks to the right ones best (Gauss-Newton)."""
+    """Tilt (as far as it is ``free``), rotation and scaling that fit marks to the right ones best (Gauss-Newton)."""
     k = numpy.zeros(4)
-    sigma = _parameter_sigmas(lens) * [max(free, 1e-6), max(free, 1e-6), 1, 1]
+    sigma = _parameter_sigmas(lens) * [free, free, 1, 1]
     for wide in OUTLIER_WIDTHS_MM:
         off = _mark_errors(lens, seen, right, k)
         slopes = [(_mark_errors(lens, seen, right, k + d) - off) / 1e-5 for d in 1e-5 * numpy.eye(4)]

@@ -16,7 +16,6 @@ from planes.check.vision.image.picture import Flat
 from planes.check.vision.page_parts import A2_MM2, split_page
 from planes.check.vision.print_scale import convert_to_true_mm, with_scale_vector_errors
 from planes.words import Phrase, Written
-from planes.words.names import plan_kind
 
 # minimum share of the ink around a plan that it explains; more if its pole was not given. Of 44 pictures of a plan two
 # were below the first, of 44 of another mechanism's plan thirty
@@ -64,7 +63,7 @@ def best_examination(
     page = split_page(flat)
     looks = [Look(flat, 0j)]
     for k, mu in page.likely_plan_parts(bench):
-        look = examine_picture(bench.at_scale(mu, fixed=True) if mu else bench, page.cut_out_part(k), None)
+        look = examine_picture(bench.at_scale(mu), page.cut_out_part(k), None)
         look.paper.mu = mu
         looks.append(look)
         if look.cover * look.explained > LEAST_COVER:
@@ -84,25 +83,21 @@ def examine_picture(
     plan = PlanLines(bench, flat.printed, held, flat.by == "marks")
     pole = likeliest_pole(plan, ink) if near is None else near
     seen = Explanation(plan, ink, pole)
-    look = Look(
-        flat, 0j if near is None else pole, cover=seen.likeliest_drawing.cover, explained=seen.explained_ink_share
-    )
-    least = LEAST_EXPLAINED_SHARES[near is None]
-    if seen.likeliest_drawing.cover < LEAST_COVER or seen.likeliest_drawing.cover * seen.explained_ink_share < least:
+    likeliest = seen.likeliest_drawing
+    look = Look(flat, 0j if near is None else pole, cover=likeliest.cover, explained=seen.explained_ink_share)
+    if look.cover < LEAST_COVER or look.cover * look.explained < LEAST_EXPLAINED_SHARES[near is None]:
         return look
     look.pole = pole
     paper = look.paper
     paper.spots = convert_to_true_mm(
         flat, pole, seen.sheet_scale, with_scale_vector_errors(flat, pole, seen.seen_marks(), bench)
     )
-    paper.untold, paper.left, paper.named = (
-        [*seen.unverified_marks(), *seen.marks_without_clear_lines()],
-        seen.faint_vectors(),
-        seen.marks_seen_by_name_only(),
-    )
-    if seen.likeliest_drawing.hypothesis.is_right and seen.likeliest_drawing.strange > MOST_STRAY_INK_MM:
-        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.likeliest_drawing.strange:.0f}")))
-    motion = plan_kind(bench.asked.plan) not in ("position", "force")
+    paper.untold = [*seen.unverified_marks(), *seen.marks_without_clear_lines()]
+    paper.left = seen.faint_vectors()
+    paper.named = seen.marks_seen_by_name_only()
+    if likeliest.hypothesis.is_right and likeliest.strange > MOST_STRAY_INK_MM:
+        flat.notes.append(Phrase("check_strangers", mm=Written(f"{likeliest.strange:.0f}")))
+    motion = bench.kind not in ("position", "force")
     paper.signs = (
         seen.transformed_plan_faults()
         or (seen.swapped_letter_faults() if motion else [])

@@ -11,8 +11,8 @@ from planes.check.reading.parts import CONNECTED_STROKES_MM
 from planes.check.vision.image.opencv import connected_components, cv, resize_by_factor
 from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Greys, Indices
+from planes.geometry.plane import bounding_corners
 from planes.words.frozen import frozen
-from planes.words.names import plan_kind
 from planes.words.units import standard_mu, standard_scale
 
 MOST_PARTS_EXAMINED = 8  # parts examined, at one scale each
@@ -38,10 +38,8 @@ class PageParts:
 
     def likely_plan_parts(self, bench: PreparedPlan) -> list[tuple[int, float | None]]:
         """Parts that may be the plan, at a standard scale if none is stated; the likeliest first."""
-        plan = [0j, *bench.true_marks.values()]
-        xs = [z.real for z in plan]
-        ys = [z.imag for z in plan]
-        size = max(xs) - min(xs), max(ys) - min(ys)
+        low, high = bounding_corners([0j, *bench.true_marks.values()])
+        size = (high - low).real, (high - low).imag
         parts = []
         for k, seen in enumerate((w / PX_PER_MM, h / PX_PER_MM) for _, _, w, h in self.boxes):
             fits = k and max(seen) > SMALLEST_PART_MM and math.prod(seen) <= A2_MM2
@@ -74,7 +72,7 @@ class PageParts:
 
 def _possible_scales(bench: PreparedPlan, true_mm: float, seen_mm: float) -> Iterator[float]:
     """The stated scale, or the standard ones at which a plan has about the size of the part."""
-    kind = plan_kind(bench.asked.plan)
+    kind = bench.kind
     if bench.asked.mu or bench.asked.scene.mu.get(kind):
         yield bench.said_mu
     else:

@@ -1,11 +1,11 @@
 """From a picture of a plan to a person's marks: rectified, its lines found, matched to the plan."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading.paper import Known, ReadPaper, with_pointed_marks
+from planes.check.grading.paper import Known, MarkPlaces, ReadPaper, with_pointed_marks
 from planes.check.grading.prepared_plan import PreparedPlan, drawn_mark_position, known_plans
 from planes.check.grading.remedies import phrase_with_remedy
 from planes.check.sheet_mark import SheetMark, read_mark_of_sheet
@@ -29,15 +29,16 @@ from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE_LABEL, label_of
+from planes.words.names import POLE_LABEL
+
+NO_HINTS = Known()
 
 
-def read_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
+def read_picture(file: str, bench: PreparedPlan, known: Known = NO_HINTS) -> ReadPaper:
     """The plan in a picture, rectified by corner marks, otherwise by two named points, otherwise by the sheet's frame.
 
     :class:`PlanesError` if it is no picture or has no reference for its scale.
     """
-    known = known or Known()
     picture = load(file, known.page)
     best = None
     by = None
@@ -63,23 +64,21 @@ def read_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> 
         best.paper, file=file, whole=False, look=picture.pixel_hash, scale_mark=by, notes=list(best.flat.notes)
     )
     paper.pole_told = pole is not None or best.flat.by == "marks"
-    paper.mu = best.paper.mu or bench.asked.mu
+    mu = best.paper.mu
+    paper.mu = mu or bench.asked.mu
     paper.picture, paper.box = picture_for_page(best.flat), best.picture_box(bench)
-    if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
-        plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
-        paper.notes.append(Phrase("check_code_says", **plans))
+    if code and code.plan != bench.plan and code.plan in known_plans(bench.plans):
+        paper.notes.append(Phrase("check_code_says", other=plan_phrase(code.plan), plan=plan_phrase(bench.plan)))
     if best.bare:
         paper.reason = Phrase("check_no_lines")
     elif not best.has_plan:
-        shares = {"share": best.cover, "own": best.explained}
-        paper.reason = phrase_with_remedy(
-            "check_no_plan_seen", **{key: f"{100 * value:.0f}" for key, value in shares.items()}
-        )
+        share, own = (f"{100 * part:.0f}" for part in (best.cover, best.explained))
+        paper.reason = phrase_with_remedy("check_no_plan_seen", share=share, own=own)
     else:
         pointed = bench.pointed_positions(known.marks, best.flat.sheet_point_of_pixel)
         paper.spots = with_pointed_marks(paper.spots, pointed)
-        if best.paper.mu and best.paper.mu != bench.said_mu:
-            paper.notes.append(Phrase("check_mu_found", mu=bench.written_scale(best.paper.mu)))
+        if mu and mu != bench.said_mu:
+            paper.notes.append(Phrase("check_mu_found", mu=bench.written_scale(mu)))
         paper.untold = [n for n in paper.untold if n not in pointed]
     return paper
 
@@ -88,10 +87,9 @@ def _mark_setting_scale(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[
     """The mark pointed to that sets a picture's scale, and its position; none if the file gives the scale."""
     if flat.told is None or flat.by_file:
         return None
-    names = {n: z for k, z in known.marks.items() if (n := bench.written_mark_names.find_name(k))}
-    if flat.told[0] in names:
-        return (flat.told[0], flat.sheet_point_of_pixel(names[flat.told[0]]))
-    return None
+    name = flat.told[0]
+    place = bench.marks_by_label(known.marks).get(name)
+    return None if place is None else (name, flat.sheet_point_of_pixel(place))
 
 
 def _correct_camera_tilt(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
@@ -100,15 +98,15 @@ def _correct_camera_tilt(bench: PreparedPlan, picture: DecodedPicture, known: Kn
     The first findings are kept if they explain the marks better.
     """
     lens = best.flat.lens
-    true = {label_of(m): z for m, z in bench.true_marks.items()}
+    true = bench.true_marks
     tilt = fitted_camera_tilt(lens, best.pole, best.paper.spots, true) if lens and best.has_plan else None
     if tilt is None or lens is None or known.pole is None:
         return best
     held = replace(lens.held, slopes=lens.held.slopes + tilt)
     flat, _ = _rectify_by_pole_and_mark(bench, picture, known.pole, known.marks, held)
     other = best_examination(bench, flat, 0j, _mark_setting_scale(bench, flat, known))
-    likelier = log_deviation_from_plan(lens, best.pole, best.paper.spots, true) - log_deviation_from_plan(
-        lens, other.pole, other.paper.spots, true
+    likelier = log_deviation_from_plan(best.pole, best.paper.spots, true) - log_deviation_from_plan(
+        other.pole, other.paper.spots, true
     )
     return other if other.has_plan and likelier > 0 else best
 
@@ -118,12 +116,12 @@ def _plan_at_printed_scale(bench: PreparedPlan, flat: Flat, code: SheetMark | No
 
     The pole is the one in the code.
     """
-    if code is None or code.plan != bench.asked.plan:
+    if code is None or code.plan != bench.plan:
         return bench
     flat.pole = code.pole
     if bench.asked.mu:
         return bench
-    return bench.at_scale(code.mu or bench.said_mu, fixed=True)
+    return bench.at_scale(code.mu or bench.said_mu)
 
 
 def _missing_reference_error(grey: Greys) -> PlanesError:
@@ -155,19 +153,13 @@ def picture_for_page(flat: Flat) -> bytes:
 
 
 def _rectify_by_pole_and_mark(
-    bench: PreparedPlan,
-    picture: DecodedPicture,
-    pole: complex,
-    marks: Mapping[str, complex],
-    held: CameraTilt | None = None,
+    bench: PreparedPlan, picture: DecodedPicture, pole: complex, marks: MarkPlaces, held: CameraTilt | None = None
 ) -> tuple[Flat, str]:
     """Scale from a named pole and vector."""
-    name, where = next(
-        ((n, z) for k, z in marks.items() if (n := bench.written_mark_names.find_name(k)) and n != POLE_LABEL),
-        (None, 0j),
-    )
-    if name is None:
+    named = [one for one in bench.marks_by_label(marks).items() if one[0] != POLE_LABEL]
+    if not named:
         raise PlanesError(Phrase("check_no_marks"))
+    name, where = named[0]
     vector = _vector_of_likely_size(bench, picture, abs(where - pole), name)
     return rectify_by_two_points(picture.grey, pole, where, vector, name, picture.scale, held, picture.focal), name
 

@@ -65,8 +65,8 @@ def with_scale_vector_errors(flat: Flat, about: complex, spots: list[ReadMark], 
     if flat.told is None:
         return spots
     length = flat.told[1]
-    mark = full_mark_name(bench.asked.plan, flat.told[0])
-    right = {full_mark_name(bench.asked.plan, n): ReadMark(n, z) for n, z in bench.true_marks.items()}
+    mark = full_mark_name(bench.plan, flat.told[0])
+    right = {full_mark_name(bench.plan, n): ReadMark(n, z) for n, z in bench.true_marks.items()}
     misses = Hand(bench.program, bench.given, bench.asked.skill, right).misses([mark])
     own = misses[mark].mean_sigma_mm if mark in misses else 0.0
     drawn = math.hypot(own, POINTED_MARK_ERROR_MM) / max(length, LONG_VECTOR_MM)

@@ -6,11 +6,11 @@ opposite sides.
 """
 
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy
 
-from planes.check.fiducials import SHEET_MM
+from planes.check.fiducials import SHEET_MM, Size
 from planes.check.vision.image.opencv import sample_greys
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
@@ -36,7 +36,7 @@ class Bend:
     half: float  # of the picture's diagonal
     lens: tuple[float, float]
     view: Array
-    size_px: tuple[float, float]
+    size_px: Size
     shrink: float = 1.0  # reduction of the picture before it was analysed
     sides: Array | None = None  # outward displacement of the left, right, lower, upper side, px, at even steps
 
@@ -50,17 +50,21 @@ class Bend:
     def remove_lens_distortion(self, z: Place) -> Place:
         """Pixels of the picture without lens distortion."""
         d = z - self.middle
-        r2 = (abs(d) / self.half) ** 2
-        return self.middle + d * (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
+        straight: Place = d * self._magnification(d)
+        return self.middle + straight
 
     def apply_lens_distortion(self, z: Place) -> Place:
         """The point where the lens images ``z``."""
         d = z - self.middle
-        out = z - self.middle
+        out = d
         for _ in range(12):
-            r2 = (abs(out) / self.half) ** 2
-            out = d / (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
+            out = d / self._magnification(out)
         return self.middle + out
+
+    def _magnification(self, off: Place) -> Any:  # one number, or an array of them
+        """How much farther from the middle points ``off`` it would be without lens distortion."""
+        r2 = (abs(off) / self.half) ** 2
+        return 1 + self.lens[0] * r2 + self.lens[1] * r2 * r2
 
     def paper_displacement(self, z: Place) -> Place:
         """The displacement of a point of the rectified picture by the paper."""

@@ -13,9 +13,16 @@ from typing import TYPE_CHECKING
 
 import numpy
 
-from planes.check.reading.opened import LARGEST_FILE_BYTES, MB, hash_of_content, read_bounded_bytes, silenced_output
+from planes.check.reading.opened import (
+    LARGEST_FILE_BYTES,
+    MB,
+    file_error,
+    hash_of_content,
+    read_bounded_bytes,
+    silenced_output,
+)
 from planes.check.vision.image.no_paper import shows_paper, shows_text_only
-from planes.check.vision.image.opencv import cv
+from planes.check.vision.image.opencv import cv, filled_square
 from planes.check.vision.image.picture import find_blanks, isolate_sheet
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
@@ -75,21 +82,21 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
     cv()  # or a message that it is missing
     data = read_bounded_bytes(path, LARGEST_FILE_BYTES)
     if not data:
-        raise PlanesError(Phrase("check_empty", file=str(path)))
+        raise file_error("check_empty", path)
     paged = data.startswith((PDF_START, *TIFF_STARTS))
     with reporting_library_errors("check_picture", path), silenced_output():
         decode = _render_pdf_page if data[:5] == PDF_START else _decode_picture
         number = page if page and paged else 0
         picture = decode(data, str(path), number)
     if picture is None:
-        raise PlanesError(Phrase("check_picture", file=str(path)))
+        raise file_error("check_picture", path)
     height, width = picture.grey.shape
     if min(height, width) < SMALLEST_SIDE_PX:
-        raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
+        raise file_error("check_small_picture", path, size=f"{width} × {height}")
     if not shows_paper(picture.grey):
-        raise PlanesError(Phrase("check_no_paper", file=str(path)))
+        raise file_error("check_no_paper", path)
     if shows_text_only(picture.grey):
-        raise PlanesError(Phrase("check_text_only", file=str(path)))
+        raise file_error("check_text_only", path)
     if page is None or paged:
         return picture
     return _single_blank(picture, page, str(path))
@@ -121,14 +128,15 @@ def _decode_picture(data: bytes, file: str, page: int = 0) -> DecodedPicture | N
     bits = numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG_START and PNG_END not in data[-64:]:
         return None  # it was truncated
-    log_level = cv2.utils.logging.getLogLevel()
-    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    log = cv2.utils.logging
+    log_level = log.getLogLevel()
+    log.setLogLevel(log.LOG_LEVEL_SILENT)
     try:
         pixels: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
         solid = pixels is None or pixels.ndim < 3 or pixels.shape[2] != 4
         grey = decode_to_one_channel(cv2, bits) if pixels is None or solid else _on_white_paper(cv2, pixels)
     finally:
-        cv2.utils.logging.setLogLevel(log_level)
+        log.setLogLevel(log_level)
     if grey is None:
         return None
     return DecodedPicture(grey, _px_per_mm_of_file(head), _focal_length_of_file(head))
@@ -148,7 +156,7 @@ def _check_header(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]
         try:
             head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "BMP", "TIFF", "WEBP"))
         except Image.DecompressionBombError:
-            raise PlanesError(Phrase("check_large_picture", file=file, size="> 10⁸")) from None
+            raise file_error("check_large_picture", file, size="> 10⁸") from None
         _reject_missing_page(page, getattr(head, "n_frames", 1) if head.format == "TIFF" else 1, file)
         head.seek(page)
     see_through = head.format in ("PNG", "WEBP") and ("A" in head.mode or "transparency" in head.info)
@@ -156,7 +164,7 @@ def _check_header(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]
     pixels = max(head.width * head.height, int(tiles.get(322, 0)) * int(tiles.get(323, 0)))
     each = 10 if see_through or head.format == "TIFF" or "progressive" in head.info else 5
     if pixels * each + len(data) > MOST_BYTES:
-        raise PlanesError(Phrase("check_large_picture", file=file, size=f"{head.width} × {head.height}"))
+        raise file_error("check_large_picture", file, size=f"{head.width} × {head.height}")
     return bool(see_through), head
 
 
@@ -206,7 +214,7 @@ def _on_white_paper(cv2: ModuleType, pixels: Greys) -> Greys:
 def _reject_missing_page(page: int, count: int, file: str) -> None:
     """Rejects a page that a file does not have."""
     if not 0 <= page < count:
-        raise PlanesError(Phrase("check_no_page", file=file, page=page + 1, count=count))
+        raise file_error("check_no_page", file, page=page + 1, count=count)
 
 
 def _render_pdf_page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
@@ -220,11 +228,11 @@ def _render_pdf_page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
     for count, image in enumerate(images):
         width, height = image.get_px_size()
         if width * height * 5 > MOST_BYTES or count > MOST_PDF_IMAGES:
-            raise PlanesError(Phrase("check_large_picture", file=file, size=f"{width} × {height}"))
+            raise file_error("check_large_picture", file, size=f"{width} × {height}")
     w, h = page.get_size()
     scale = min(PAGE_DPI / 72, (MOST_PAGE_PX / max(w * h, 1.0)) ** 0.5, 30_000 / max(w, h, 1.0))
     if min(w, h) * scale < SMALLEST_SIDE_PX:
-        raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
+        raise file_error("check_small_picture", file, size=f"{w * scale:.0f} × {h * scale:.0f}")
     grey = channel_without_grid(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))
     return DecodedPicture(grey, scale * 72 / 25.4)
 
@@ -257,13 +265,10 @@ def channel_without_grid(cv2: ModuleType, picture: Greys) -> Greys:
         ink = _darkness_over_paper(cv2, cv2.extractChannel(middle, k))
         faded = (inked > LEAST_GRID_DARKNESS) & (ink < 0.5 * inked)
         lost = _share_of_parts_with((inked > LEAST_DRAWING_DARKNESS) & (ink < LEAST_DRAWING_DARKNESS / 2))
-        if (
-            _share_of_parts_with(faded) > LEAST_GRID_SHARE
-            and not 0 < lost < MOST_DRAWING_SHARE
-            and float((inked - ink)[faded].sum()) > most
-        ):
+        gain = float((inked - ink)[faded].sum())
+        if _share_of_parts_with(faded) > LEAST_GRID_SHARE and not 0 < lost < MOST_DRAWING_SHARE and gain > most:
             best = k
-            most = float((inked - ink)[faded].sum())
+            most = gain
     grey: Greys = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) if best is None else cv2.extractChannel(picture, best)
     return grey
 
@@ -278,7 +283,7 @@ def _central_part(picture: Greys) -> Greys:
 
 def _darkness_over_paper(cv2: ModuleType, part: Greys) -> Array:
     """The darkness of a picture relative to paper, without its grain."""
-    light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
+    light = cv2.GaussianBlur(cv2.dilate(part, filled_square(25)), (0, 0), 12).astype(numpy.float32)
     dark: Array = 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
     return dark
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 import numpy
 from numpy.linalg import det, norm
 
+from planes.check.fiducials import Size
 from planes.check.vision.image.bend import FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM, PX_PER_MM
 from planes.check.vision.image.opencv import cv, pairs, reduce_to_longest_side, sample_greys
 from planes.check.vision.image.picture import LARGEST_SIDE_PX, Flat
@@ -33,19 +34,14 @@ def rectify_by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
     if corners is None:
         return
     ratio, askew = aspect_ratio_and_obliqueness(corners, grey.shape)
-    sizes = [(name, w, h) for name, (a, b) in PAPER_SIZES_MM.items() for w, h in ((a, b), (b, a))]
-    fits = [
-        (
-            float(abs(math.log(ratio * (h - 2 * FRAME_OTHER_SIDES_MM) / (w - FRAME_LEFT_MM - FRAME_OTHER_SIDES_MM)))),
-            n,
-            w,
-            h,
-        )
-        for n, w, h in sizes
-    ]
-    named = [f for f in fits if f[1] == paper]
+    fits = sorted(
+        (abs(math.log(ratio * (h - 2 * FRAME_OTHER_SIDES_MM) / (w - FRAME_LEFT_MM - FRAME_OTHER_SIDES_MM))), name, w, h)
+        for name, sides in PAPER_SIZES_MM.items()
+        for w, h in (sides, sides[::-1])
+    )
+    named = [f for f in fits if f[1] == paper][:1]
     likely = [f for f in fits if f[0] < FRAME_RATIO_TOLERANCES[askew]]
-    for _, _, w, h in sorted(named)[:1] if paper is not None else sorted(likely):
+    for _, _, w, h in likely if paper is None else named:
         yield _sheet_from_above(grey, corners, (w, h))
 
 
@@ -61,12 +57,19 @@ def frame_corners(grey: Greys) -> Array | None:
         hull = cv2.convexHull(contour)
         area = cv2.contourArea(hull)
         if area > LEAST_FRAME_SHARE * small.size and cv2.contourArea(contour) > 0.9 * area:
-            quad = cv2.approxPolyDP(hull, 0.02 * cv2.arcLength(hull, True), True)
-            if len(quad) == 4:
-                quads.append((area, quad.reshape(4, 2).astype(float)))
+            quad = quadrilateral(hull, 0.02)
+            if quad is not None:
+                quads.append((area, quad))
     quads.sort(key=lambda q: q[0])
     refined = (_refined_corners(grey, ordered_corners((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
     return next((c for c in refined if c is not None), None)  # the innermost dark line: the paper's edge is none
+
+
+def quadrilateral(hull: Array, tolerance: float) -> Array | None:
+    """The corners of a convex outline that is one, to this share of its length."""
+    cv2 = cv()
+    quad = cv2.approxPolyDP(hull, tolerance * cv2.arcLength(hull, True), True)
+    return quad.reshape(4, 2).astype(float) if len(quad) == 4 else None
 
 
 def ordered_corners(quad: Array) -> Array:
@@ -86,8 +89,9 @@ def _refined_corners(grey: Greys, quad: Array, reach: float) -> Array | None:
         places = a + numpy.linspace(0.03, 0.97, 200) * (b - a)
         seen = 255.0 - sample_greys(grey, places[:, None] + across * t)
         base = numpy.maximum(seen[:, :4].mean(axis=1), seen[:, -4:].mean(axis=1))[:, None]
-        line = numpy.maximum(seen - base - 0.35 * (seen.max(axis=1)[:, None] - base), 0)
-        good = (seen.max(axis=1) - base[:, 0]) > 15
+        depth = seen.max(axis=1)[:, None] - base
+        line = numpy.maximum(seen - base - 0.35 * depth, 0)
+        good = depth[:, 0] > 15
         if good.mean() < 0.5:
             return None
         middle = (line * t).sum(axis=1) / numpy.maximum(line.sum(axis=1), 1e-6)
@@ -129,7 +133,7 @@ def aspect_ratio_and_obliqueness(corners: Array, size_px: tuple[int, int]) -> tu
     return math.sqrt(across / up), True
 
 
-def _sheet_from_above(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
+def _sheet_from_above(grey: Greys, corners: Array, size_mm: Size) -> Flat:
     """The sheet from above."""
     cv2 = cv()
     w, h = size_mm

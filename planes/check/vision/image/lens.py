@@ -64,8 +64,7 @@ class Lens:
         if view is None:
             return z
         pole = apply_homography(view, 0j)
-        mark = apply_homography(view, self.mark)
-        way = self.mark / (mark - pole)
+        way = self.mark / (apply_homography(view, self.mark) - pole)
         return (apply_homography(view, z) - pole) * (way if self.turned else abs(way))
 
 

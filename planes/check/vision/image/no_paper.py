@@ -6,8 +6,8 @@ and with thin dark strokes filled up, its light changes only slowly.
 
 import numpy
 
-from planes.check.vision.image.opencv import connected_components, cv, reduce_to_longest_side
-from planes.geometry.arrays import Booleans, Greys, Indices
+from planes.check.vision.image.opencv import connected_components, cv, filled_square, reduce_to_longest_side
+from planes.geometry.arrays import Booleans, Greys
 
 REDUCED_SIDE_PX, SQUARE_PX = 1000, 20
 UNEVEN_GREY_SIGMA = 11.0  # σ of the grey levels of a small square
@@ -47,9 +47,7 @@ def shows_paper(grey: Greys) -> bool:
 def _evenly_lit_squares(small: Greys) -> Booleans:
     """Small squares with slowly changing light, thin dark strokes filled up."""
     cv2 = cv()
-    filled = cv2.morphologyEx(
-        small, cv2.MORPH_CLOSE, numpy.ones((WIDEST_FILLED_STROKE_PX, WIDEST_FILLED_STROKE_PX), numpy.uint8)
-    )
+    filled = cv2.morphologyEx(small, cv2.MORPH_CLOSE, filled_square(WIDEST_FILLED_STROKE_PX))
     light = cv2.GaussianBlur(filled, (0, 0), SMOOTHING_SIGMA_PX)
     across, down = (cv2.Sobel(light, cv2.CV_32F, *way, scale=1 / 8) for way in ((1, 0), (0, 1)))
     slow: Booleans = (
@@ -79,23 +77,15 @@ def shows_text_only(grey: Greys) -> bool:
     """Whether letters cover a picture without a single line, however faint, that may belong to a drawing."""
     cv2 = cv()
     small = reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0]
-    paper = cv2.dilate(cv2.blur(small, (3, 3)), numpy.ones((SQUARE_PX, SQUARE_PX), numpy.uint8))
+    paper = cv2.dilate(cv2.blur(small, (3, 3)), filled_square(SQUARE_PX))
     dark = cv2.subtract(cv2.blur(paper, (SQUARE_PX, SQUARE_PX)), small)
     letters, drawn = (
-        _dark_components(dark, least)
+        connected_components(dark > least)[1][1:, 2:5]  # width, height and number of pixels of each
         for least in (LETTER_DARKNESS_SHARE * float(numpy.percentile(dark, 99.5)), INK_GREY_DIFFERENCE)
     )
     low, high = LETTER_HEIGHT_RANGE_PX
-    many = (
-        int(((letters[:, 1] >= low) & (letters[:, 1] <= high) & (letters[:, 2] > low)).sum()) > MOST_LETTERS_ON_DRAWING
-    )
-    words = (drawn[:, 1] >= low) & (drawn[:, 1] <= high)  # seen this faintly, letters of a word touch
-    return (
-        many
-        and max(int(letters[:, :2].max()), int((drawn[:, :2].max(axis=1) * ~words).max())) <= SHORTEST_DRAWN_LINE_PX
-    )
-
-
-def _dark_components(dark: Greys, least: float) -> Indices:
-    """Connected components of this darkness: width, height and number of pixels."""
-    return connected_components(dark > least)[1][1:, 2:5]
+    of_letters, words = ((low <= parts[:, 1]) & (parts[:, 1] <= high) for parts in (letters, drawn))
+    if (of_letters & (letters[:, 2] > low)).sum() <= MOST_LETTERS_ON_DRAWING:
+        return False
+    lines = drawn[~words, :2]  # seen this faintly, letters of a word touch
+    return bool(max(letters[:, :2].max(), lines.max(initial=0)) <= SHORTEST_DRAWN_LINE_PX)

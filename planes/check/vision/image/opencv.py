@@ -30,6 +30,11 @@ def reduce_to_longest_side(grey: Greys, longest: float) -> tuple[Greys, float]:
     return resize_by_factor(grey, factor) if factor < 1 else grey, factor
 
 
+def filled_square(side_px: int) -> Greys:
+    """A square window for morphology, all of it counting."""
+    return numpy.ones((side_px, side_px), numpy.uint8)
+
+
 def pairs(z: Complexes) -> Array:
     """Places as rows of x and y."""
     return numpy.stack([z.real, z.imag], axis=1)

@@ -1,6 +1,5 @@
 """Rectifies and scales a photograph or scan of a plan on paper by the blank's corner marks or by two points."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy
@@ -10,13 +9,14 @@ from planes.check.fiducials import (
     MARK_PATTERNS,
     MARK_SIDE_MM,
     SHEET_MM,
+    Size,
     corner_mark_cells,
     corner_mark_centres,
 )
 from planes.check.vision.image.bend import PX_PER_MM, Bend, add_paper_distortion, measure_distortion
 from planes.check.vision.image.lens import Lens
 from planes.check.vision.image.opencv import cv, pairs, reduce_to_longest_side
-from planes.check.vision.image.several import Found, SheetsSeen, group_marks_by_sheet, may_show_more_marks
+from planes.check.vision.image.several import Found, SheetMarks, SheetsSeen, group_marks_by_sheet, may_show_more_marks
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -51,7 +51,7 @@ class Flat:
     pole: complex | None = None  # the pole of a blank from its code (mm)
 
     @property
-    def size_mm(self) -> tuple[float, float]:
+    def size_mm(self) -> Size:
         """Width and height."""
         return self.grey.shape[1] / self.scale, self.grey.shape[0] / self.scale
 
@@ -81,7 +81,7 @@ def marker_dictionary() -> object:
     return aruco.Dictionary(table, 5, 3)
 
 
-def find_marks(grey: Greys) -> dict[int, Array]:
+def find_marks(grey: Greys) -> SheetMarks:
     """Corners of the blank's marks in pixels, by their numbers; of the first if there are several blanks."""
     return next(iter(find_sheets(grey).sheets), {})
 
@@ -123,7 +123,7 @@ def _detect_marks(grey: Greys, longest: int, least: float, marks: list[Found]) -
             marks.append((int(number), one))
 
 
-def isolate_sheet(grey: Greys, marks: Mapping[int, Array]) -> Greys:
+def isolate_sheet(grey: Greys, marks: SheetMarks) -> Greys:
     """One of several blanks, with these marks; the rest of the picture is painted as light as its paper."""
     cv2 = cv()
     factor = reduce_to_longest_side(grey, LARGEST_SIDE_PX)[1]
@@ -143,7 +143,7 @@ def isolate_sheet(grey: Greys, marks: Mapping[int, Array]) -> Greys:
 
 def _mark_corners_mm(number: int) -> list[complex]:
     """Corners of a mark on the sheet, mm, clockwise from the upper left."""
-    return [corner_mark_centres(SHEET_MM)[number] + MARK_SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
+    return [corner_mark_centres()[number] + MARK_SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
 
 
 def _refined_mark_corners(grey: Greys, quad: Array) -> Array:
@@ -172,12 +172,10 @@ def flatten(grey: Greys) -> Flat | None:
     if warp is None:
         return None
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
-    notes += [Phrase("check_several_blanks", count=len(blanks.sheets))] if len(blanks.sheets) > 1 else []
-    notes += (
-        [Phrase("check_blank_in_part", count=blanks.partial_sheet_mark_count)]
-        if blanks.partial_sheet_mark_count
-        else []
-    )
+    if len(blanks.sheets) > 1:
+        notes.append(Phrase("check_several_blanks", count=len(blanks.sheets)))
+    if blanks.partial_sheet_mark_count:
+        notes.append(Phrase("check_blank_in_part", count=blanks.partial_sheet_mark_count))
     bend = measure_distortion(small, warp)
     if bend is not None:
         unbent = _rectify_distorted(small, bend, seen, true)

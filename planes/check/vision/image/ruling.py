@@ -112,9 +112,7 @@ def _peak_offset_in_steps(power: Array, i: Array, j: Array, step: tuple[int, int
     last = RATE_STEP_COUNT - 1
     i = numpy.clip(i, di, last - di)
     j = numpy.clip(j, dj, last - dj)
-    a = power[n, i - di, j - dj]
-    b = power[n, i, j]
-    c = power[n, i + di, j + dj]
+    a, b, c = (power[n, i + k * di, j + k * dj] for k in (-1, 0, 1))
     bend = numpy.minimum(a - 2 * b + c, -1e-9)
     top: Array = numpy.clip((a - c) / (2 * bend), -0.5, 0.5)
     return top

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy
 
-from planes.check.fiducials import MARK_SIDE_MM, SHEET_MM, corner_mark_centres
+from planes.check.fiducials import MARK_SIDE_MM, corner_mark_centres
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
@@ -14,6 +14,7 @@ LEAST_MARKS_PER_SHEET = 3  # marks that determine the position of a sheet
 # of the area between a sheet's marks: another sheet, smaller if more distant, fits in as much
 OTHER_SHEET_AREA_RATIO = 1.0
 
+SheetMarks = dict[int, Array]  # the corners of a sheet's marks by their numbers
 Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, clockwise from the upper left
 
 
@@ -21,7 +22,7 @@ Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, cl
 class SheetsSeen:
     """The marks of each sheet by their numbers, sheets in reading order; of a single sheet all, however few."""
 
-    sheets: list[dict[int, Array]]
+    sheets: list[SheetMarks]
     stray: int = 0  # marks of other sheets, too few to locate these
 
     @property
@@ -40,11 +41,13 @@ def group_marks_by_sheet(marks: Sequence[Found]) -> SheetsSeen:
     if len({number for number, _ in marks}) == len(marks):
         return SheetsSeen([dict(marks)] if marks else [])
     left = list(marks)
-    sheets = list[dict[int, Array]]()
+    sheets = []
     while left:
-        beside = _marks_of_same_sheet(left[0], left[1:])
-        sheets += [dict(beside)] if len(beside) >= LEAST_MARKS_PER_SHEET else []
-        taken = beside if len(beside) >= LEAST_MARKS_PER_SHEET else left[:1]
+        taken = _marks_of_same_sheet(left[0], left[1:])
+        if len(taken) >= LEAST_MARKS_PER_SHEET:
+            sheets.append(dict(taken))
+        else:
+            taken = left[:1]
         left = [one for one in left if not any(one is other for other in taken)]
     return SheetsSeen(sorted(sheets, key=_reading_order_key), len(marks) - sum(map(len, sheets)))
 
@@ -60,7 +63,7 @@ def may_show_more_marks(seen: SheetsSeen, picture: float) -> bool:
     return picture - sum(areas) > OTHER_SHEET_AREA_RATIO * min(areas)
 
 
-def _sheet_area_px2(sheet: dict[int, Array]) -> float:
+def _sheet_area_px2(sheet: SheetMarks) -> float:
     """The area between a sheet's marks, px²; for three marks, twice their triangle."""
     x, y = numpy.array([sheet[number].mean(axis=0) for number in sorted(sheet)]).T
     area = abs(x @ numpy.roll(y, 1) - y @ numpy.roll(x, 1)) / 2
@@ -70,10 +73,11 @@ def _sheet_area_px2(sheet: dict[int, Array]) -> float:
 def _marks_of_same_sheet(seed: Found, marks: Sequence[Found]) -> list[Found]:
     """A mark, and those at the positions predicted from it."""
     marks_of_sheet = [seed]
-    for number in range(len(corner_mark_centres(SHEET_MM))):
+    for number in range(len(corner_mark_centres())):
         near = [(_prediction_error_mm(seed, one), k) for k, one in enumerate(marks) if one[0] == number != seed[0]]
         off, k = min(near, default=(PREDICTED_MARK_TOLERANCE_MM, 0))
-        marks_of_sheet += [marks[k]] if off < PREDICTED_MARK_TOLERANCE_MM else []
+        if off < PREDICTED_MARK_TOLERANCE_MM:
+            marks_of_sheet.append(marks[k])
     return marks_of_sheet
 
 
@@ -82,13 +86,13 @@ def _prediction_error_mm(seed: Found, other: Found) -> float:
     corners = seed[1] @ numpy.array([1, 1j])
     right = (corners[[1, 2]] - corners[[0, 3]]).mean()
     up = (corners[[0, 1]] - corners[[3, 2]]).mean()
-    by = (corner_mark_centres(SHEET_MM)[other[0]] - corner_mark_centres(SHEET_MM)[seed[0]]) / MARK_SIDE_MM
+    by = (corner_mark_centres()[other[0]] - corner_mark_centres()[seed[0]]) / MARK_SIDE_MM
     there = corners.mean() + by.real * right + by.imag * up
     seen = (other[1] @ numpy.array([1, 1j])).mean()
     return float(abs(seen - there) / max(abs(right), abs(up), 1e-9) * MARK_SIDE_MM)
 
 
-def _reading_order_key(sheet: dict[int, Array]) -> tuple[float, float]:
+def _reading_order_key(sheet: SheetMarks) -> tuple[float, float]:
     """A sort key for sheets side by side, or one below the other."""
     x, y = numpy.mean([quad.mean(axis=0) for quad in sheet.values()], axis=0).tolist()
     side = max(float(numpy.ptp(numpy.concatenate([*sheet.values()]), axis=0).min()), 1.0)

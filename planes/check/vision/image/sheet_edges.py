@@ -3,8 +3,8 @@
 import numpy
 
 from planes.check.vision.image.bend import Bend
-from planes.check.vision.image.frame import fit_line, ordered_corners, side_intersections
-from planes.check.vision.image.opencv import cv, reduce_to_longest_side, sample_greys
+from planes.check.vision.image.frame import fit_line, ordered_corners, quadrilateral, side_intersections
+from planes.check.vision.image.opencv import cv, filled_square, reduce_to_longest_side, sample_greys
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.geometry.plane import direction_between
 
@@ -56,7 +56,7 @@ def _approximate_corners(grey: Greys) -> Complexes | None:
     """The approximate corners of the sheet: the largest light area or, under a shadow, the largest with sharp edges."""
     cv2 = cv()
     small, factor = reduce_to_longest_side(grey, REDUCED_SIDE_PX)
-    soft = cv2.GaussianBlur(cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((9, 9), numpy.uint8)), (5, 5), 0)
+    soft = cv2.GaussianBlur(cv2.morphologyEx(small, cv2.MORPH_CLOSE, filled_square(9)), (5, 5), 0)
     _, light = cv2.threshold(soft, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
     quad = _largest_quadrilateral(light)
     if quad is None:
@@ -77,8 +77,7 @@ def _largest_quadrilateral(inside: Greys) -> Array | None:
     within = [h for h in hulls if (h > 1).all() and (h < rim).all()]
     if not within or cv2.contourArea(within[-1]) < LEAST_SHEET_SHARE * inside.size:
         return None
-    quad = cv2.approxPolyDP(within[-1], 0.03 * cv2.arcLength(within[-1], True), True).reshape(-1, 2)
-    return quad.astype(float) if len(quad) == 4 else None
+    return quadrilateral(within[-1], 0.03)
 
 
 def _edge_points(grey: Greys, a: complex, b: complex) -> Complexes | None:
@@ -91,9 +90,7 @@ def _edge_points(grey: Greys, a: complex, b: complex) -> Complexes | None:
     rise = soft[:, 4:] - soft[:, :-4]
     best = rise.argmax(axis=1).clip(1, rise.shape[1] - 2)
     n = numpy.arange(PROFILES_PER_EDGE)
-    left = rise[n, best - 1]
-    top = rise[n, best]
-    right = rise[n, best + 1]
+    left, top, right = (rise[n, best + k] for k in (-1, 0, 1))
     at = best + (left - right) / (2 * numpy.minimum(left - 2 * top + right, -1e-3)) + 2
     edge = places[:, 0] + inwards * 0.5 * at
     edge = edge[top > LEAST_EDGE_GREY_STEP]

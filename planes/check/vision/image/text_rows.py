@@ -8,7 +8,13 @@ import math
 
 import numpy
 
-from planes.check.vision.image.opencv import connected_components, cv, reduce_to_longest_side, resize_by_factor
+from planes.check.vision.image.opencv import (
+    connected_components,
+    cv,
+    filled_square,
+    reduce_to_longest_side,
+    resize_by_factor,
+)
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
@@ -78,10 +84,9 @@ def find_text_rows(grey: Greys) -> LetterRows | None:
     z = (columns + 1j * rows_of_ink) * numpy.exp(-1j * way)
     order = numpy.argsort(label, kind="stable")
     starts = numpy.searchsorted(label[order], numpy.arange(len(boxes)))
-    s = z.real[order]
-    t = z.imag[order]
-    low, high = (f.reduceat(t, starts) for f in (numpy.minimum, numpy.maximum))
-    left, right = (f.reduceat(s, starts) for f in (numpy.minimum, numpy.maximum))
+    (left, right), (low, high) = (
+        [f.reduceat(part[order], starts) for f in (numpy.minimum, numpy.maximum)] for part in (z.real, z.imag)
+    )
     rows = _chain_rows(left, right, low, high, way)
     if not rows:
         return None
@@ -99,13 +104,11 @@ def _letter_components(small: Greys) -> tuple[Indices, Indices]:
     """The pieces of ink as large as letters: the number at each pixel (from 1, 0: none), and their boxes."""
     cv2 = cv()
     wide = PAPER_LIGHT_WINDOW_PX // 4 | 1
-    light = cv2.blur(cv2.dilate(resize_by_factor(small, 0.25), numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
+    light = cv2.blur(cv2.dilate(resize_by_factor(small, 0.25), filled_square(wide)), (wide, wide))
     dark = cv2.subtract(cv2.resize(light, small.shape[::-1]), cv2.GaussianBlur(small, (3, 3), 0))
     least = max(LEAST_INK_GREY_DIFFERENCE, LEAST_INK_DARKNESS_SHARE * float(numpy.percentile(dark[::4, ::4], 99.7)))
     labels, parts = connected_components(dark > least)
-    w = parts[:, 2]
-    h = parts[:, 3]
-    area = parts[:, 4]
+    w, h, area = parts[:, 2:].T
     tall = numpy.maximum(w, h)
     good = (
         (tall >= LETTER_HEIGHT_RANGE_PX[0])
@@ -120,8 +123,9 @@ def _letter_components(small: Greys) -> tuple[Indices, Indices]:
 
 def _row_direction(boxes: Indices) -> float | None:
     """The direction from most letters to their neighbours, in radians; None if there is none."""
-    z = boxes[:, 0] + boxes[:, 2] / 2 + 1j * (boxes[:, 1] + boxes[:, 3] / 2)
-    tall = numpy.maximum(boxes[:, 2], boxes[:, 3]).astype(float)
+    x, y, wide, high, _ = boxes.T
+    z = x + wide / 2 + 1j * (y + high / 2)
+    tall = numpy.maximum(wide, high).astype(float)
     apart = z - z[:, None]
     near = abs(apart) + 1e9 * (abs(apart) < 1)
     near[(tall > MOST_HEIGHT_RATIO * tall[:, None]) | (tall[:, None] > MOST_HEIGHT_RATIO * tall)] = 1e9
@@ -190,10 +194,10 @@ def _fit_baseline(chain: Indices, s: Array, feet: Array, tall: Array, way: float
         return None
     for _ in range(3):
         line = numpy.polynomial.polynomial.polyfit(x[near], y[near], 1)
-        near = abs(y - line[0] - line[1] * x) < BASELINE_TOLERANCE_RATIO * height
-    off = math.hypot(float((y - line[0] - line[1] * x)[near].std()), 0.3)
+        off = y - line[0] - line[1] * x
+        near = abs(off) < BASELINE_TOLERANCE_RATIO * height
     middle = float(x[near].mean())
-    error = off / math.sqrt(float(((x[near] - middle) ** 2).sum()))
+    error = math.hypot(float(off[near].std()), 0.3) / math.sqrt(float(((x[near] - middle) ** 2).sum()))
     place = complex(middle, line[0] + line[1] * middle) * numpy.exp(1j * way)
     return TextRow(complex(place), way + math.atan(line[1]), error, chain)
 

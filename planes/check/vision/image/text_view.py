@@ -130,7 +130,6 @@ class _TextSight:
         self.slants = _group_means(slants, drawn, self.blocks)
         self.sizes = self.sizes + _group_means(off, usual, self.blocks)
         one = numpy.zeros(len(self.places), int)
-        blocks = self.blocks
         return [
             _tilt_cue(
                 lambda v: _angles_after_view(v, self.places, self.ways), view, near, self._row_weights(hand), one
@@ -140,10 +139,14 @@ class _TextSight:
                 view,
                 near,
                 drawn / (slant * (1 + hand) * coarse) ** 2,
-                blocks,
+                self.blocks,
             ),
             _tilt_cue(
-                lambda v: self.logs + _log_magnifications(v, text.places, upright), view, near, usual / size**2, blocks
+                lambda v: self.logs + _log_magnifications(v, text.places, upright),
+                view,
+                near,
+                usual / size**2,
+                self.blocks,
             ),
         ], hand
 
@@ -160,9 +163,10 @@ class _TextSight:
 
 def _block_numbers_of_rows(text: LetterRows) -> Indices:
     """The block number of each row: rows close below one another."""
-    place = numpy.array([r.place for r in text.rows]) * numpy.exp(-1j * text.way)
+    back = numpy.exp(-1j * text.way)
+    place = numpy.array([r.place for r in text.rows]) * back
     tall = numpy.array([float(numpy.median(text.heights[r.letters])) for r in text.rows])
-    s = (text.places * numpy.exp(-1j * text.way)).real
+    s = (text.places * back).real
     left, right = (numpy.array([f(s[r.letters]) for r in text.rows]) for f in (min, max))
     block = numpy.arange(len(place))
     for i in range(len(place)):

@@ -60,14 +60,15 @@ def rectify_by_two_points(
     )
     askew = 0.0 if short else _sheet_rotation_deg(drawn, vector, paper)
     flat = _sheet_from_above(grey, view, pole, scale, askew) if view else rectify_by_scale(grey, scale, pole, askew)
-    flat.notes += [Phrase("check_askew", angle=Written(f"{abs(askew):.1f}"))] if askew else []
+    if askew:
+        flat.notes.append(Phrase("check_askew", angle=Written(f"{abs(askew):.1f}")))
     flat.told = (name, abs(vector))
     flat.by_file = by_file
     flat.by_paper = paper is not None and not askew
     flat.aslant = PAPER_REFERENCE_ERRORS[paper] if paper else 0.0
     if not paper and file_scale is None and not short:
         height, width = grey.shape
-        far = focal * max(width, height) / scale
+        far = focal * max(grey.shape) / scale
         known = view.held.mirrored() if view else UNKNOWN_TILT
         flat.lens = Lens(
             flat.sheet_point_of_pixel(complex(width, height) / 2),
@@ -117,8 +118,8 @@ def _sheet_from_above(grey: Greys, view: SheetView, pole: complex, scale: float,
     at = bend.to_rectified(pole)
     flat = Flat(remap_picture(grey, bend, size), PX_PER_MM, -complex(at.real, size[1] - at.imag) / PX_PER_MM, "points")
     flat.bend = bend
-    aside = Phrase(f"check_aside_{view.by}", angle=Written(f"{view.tilt_deg:.0f}"))
-    flat.notes += [aside] if view.tilt_deg > LEAST_REPORTED_TILT_DEG else []
+    if view.tilt_deg > LEAST_REPORTED_TILT_DEG:
+        flat.notes.append(Phrase(f"check_aside_{view.by}", angle=Written(f"{view.tilt_deg:.0f}")))
     return flat
 
 
