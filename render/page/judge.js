@@ -49,15 +49,13 @@ export class Judge {
       const at = Object.entries(v.under).filter(([n]) => misses.has(n));
       const touched = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
       if (!suspects.some(n => touched.has(n) && Number.isFinite(touched.get(n).sigmas))) continue;
-      // shows by its absence
-      const left_out = rule.left_out.some((/** @type {string} */ end) => v.mistake.endsWith(end));
       const own = touched.has(v.blames) ? [[v.blames, touched.get(v.blames)]] : [...touched];
-      if (!left_out && !own.some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
+      if (!v.omits && !own.some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
       const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least);
       const at_it = under.get(v.blames);
       // nearer to its right place than to where this mistake puts it
       if (at_it && at_it.sigmas >= misses.get(v.blames).sigmas) continue;
-      const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
+      const likely = drawn.has(v.blames) !== v.omits ? 1 : rule.undrawn;
       let score = Math.log(v.weight * likely);
       for (const [n, miss] of under) score += this.mixed(miss) - this.mixed(misses.get(n));
       const group = groups.get(v.mistake) || [];

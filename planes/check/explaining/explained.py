@@ -14,7 +14,6 @@ from planes.check.explaining.fitted_marks import fitted_marks
 from planes.check.explaining.plan_lines import LAST_SIDE_END, PlanLines
 from planes.check.explaining.scorer import Laid, Scorer
 from planes.check.grading.evidence import logistic
-from planes.check.grading.judging import OMISSION_SUFFIXES
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.sign_faults import DrawnVector, SignFault, arrow_faults
 from planes.check.grading.signs import plan_scale_fault
@@ -152,10 +151,8 @@ class Explanation:
     @property
     def _omitted_mark(self) -> str | None:
         """The mark omitted in the likeliest drawing."""
-        hypothesis = self.likeliest_drawing.hypothesis
-        if hypothesis.kind.endswith(OMISSION_SUFFIXES):
-            return hypothesis.mark
-        return None
+        variant = self.likeliest_drawing.hypothesis.variant
+        return variant.blames if variant and variant.omits else None
 
     def _force_side_marks(self, best: Laid, doubt: float) -> Iterator[ReadMark]:
         a, b = self.scorer.ends(best)

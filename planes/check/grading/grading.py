@@ -14,7 +14,7 @@ from planes.check.grading.evidence import (
 )
 from planes.check.grading.followers import Showing, determining_mark_sets, source_marks_of_elements
 from planes.check.grading.handwork import Hand, Miss, Misses
-from planes.check.grading.judging import OMISSION_SUFFIXES, Judgement, judge, mark_verdicts
+from planes.check.grading.judging import Judgement, judge, mark_verdicts
 from planes.check.grading.off_vectors import wrong_vector_phrase
 from planes.check.grading.paper import ReadMarks, ReadPaper
 from planes.check.grading.polygons import Rebuilt, align_marks, marks_of_earlier_plans
@@ -111,7 +111,7 @@ class Grading:
     def _may_be_confused_vectors(self) -> bool:
         """Whether the fault of a polygon may only be a confusion of its vectors."""
         named = self.judgement.named
-        missing = named.blames if named and named.mistake.endswith(OMISSION_SUFFIXES) else self.missing_force
+        missing = named.blames if named and named.omits else self.missing_force
         if self.rebuilt is None or not (missing or (self.judgement.wrong and not named)):
             return False
         made = (self.hand.program.steps_by_result[m] for m in self.marks if label_of(m) == missing)

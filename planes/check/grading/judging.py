@@ -36,7 +36,6 @@ FALSE_ALARM_SHARE = 0.02  # share of right drawings with the assumed unsteadines
 WARNING_SIGMAS = 2.486  # as rare in two dimensions as 2σ in one
 OTHER_CAUSE_WEIGHT = 0.1  # weight of "some other cause" against a named mistake
 UNDRAWN_MARK_WEIGHT = 0.1  # weight of "drawn wrongly" against "left out", for a mark missing in the drawing
-OMISSION_SUFFIXES = ("_missing", "_along_loaded_link")
 LEAST_LEAD_LOG_ODDS = 0.7  # minimum logarithm of a mistake's odds over the runner-up
 LEAST_LOG_ODDS_OVER_CHANCE = math.log(20)  # minimum logarithm of a mistake's odds over chance, for marks within limits
 # a mark this many σ off may show a mistake whose odds over a drawing error (a logarithm) reach this value
@@ -187,7 +186,7 @@ class _Weighing:
             if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
                 continue  # its mark is nearer to its right position than to the one under the mistake
             # a mark missing in the drawing was most likely left out, another was not
-            unlike = (variant.blames in drawn) == variant.mistake.endswith(OMISSION_SUFFIXES)
+            unlike = (variant.blames in drawn) == variant.omits
             score = self.log_likelihood_gain(under) + math.log(
                 variant.weight * (UNDRAWN_MARK_WEIGHT if unlike else 1.0)
             )
@@ -201,7 +200,7 @@ class _Weighing:
         """
         own = [m for m in touched if label_of(m) == variant.blames] or touched
         apart = (replace(self.misses[m], off=touched[m].off - self.plain[m].off) for m in own)
-        return variant.mistake.endswith(OMISSION_SUFFIXES) or any(not miss.sigmas <= self.limit for miss in apart)
+        return variant.omits or any(not miss.sigmas <= self.limit for miss in apart)
 
 
 def _name_likeliest_mistake(judgement: Judgement, ranked: Sequence[ScoredHypothesis], unknown: float) -> None:

@@ -1,13 +1,15 @@
 """An assumed mistake: some steps of a program done differently, and their result."""
 
 from collections.abc import Container, Iterator, Mapping
+from itertools import chain
 
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
-from planes.drafting.steps import Step
+from planes.drafting.steps import Same, Step
 from planes.drafting.tools import Env, Tool
 from planes.words import Phrase, Told, Written
 from planes.words.frozen import field, frozen
+from planes.words.names import label_of
 
 Steps = tuple[Step, ...]
 Swaps = Mapping[str, Steps]
@@ -26,6 +28,13 @@ class Variant:
     givens: Env = field(default_factory=dict)
     weight: float = 1.0
     about: Mapping[str, Told | Written] = field(default_factory=dict)  # names for the sentence
+
+    @property
+    def omits(self) -> bool:
+        """Whether it leaves out the vector to its mark, so that the mark is where the vector begins."""
+        return any(
+            isinstance(step, Same) and label_of(step.makes) == self.blames for step in chain(*self.swaps.values())
+        )
 
     @property
     def sentence(self) -> Phrase:

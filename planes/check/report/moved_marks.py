@@ -87,6 +87,7 @@ def _variant_data(v: Variant, under: Places, lang: Lang) -> Json:
         "mistake": v.mistake,
         "blames": v.blames,
         "weight": v.weight,
+        "omits": v.omits,
         "said": v.sentence.told(lang),
         "under": {label_of(m): places for m, places in under.items()},
     }
@@ -101,7 +102,6 @@ def _verdict_parameters(grading: Grading) -> Json:
         "slip": evidence.SLIP_PROBABILITY,
         "other": judging.OTHER_CAUSE_WEIGHT,
         "undrawn": judging.UNDRAWN_MARK_WEIGHT,
-        "left_out": judging.OMISSION_SUFFIXES,
         "margin": judging.LEAST_LEAD_LOG_ODDS,
         "too_well": judging.LEAST_LOG_ODDS_OVER_CHANCE,
         "warn": judging.WARNING_SIGMAS,
