@@ -54,11 +54,6 @@ class Laid:
     erred: float = 0.0  # the cost of those
 
     @property
-    def score_without_prior(self) -> float:
-        """The evidence of the sheet alone, without the prior."""
-        return self.score + self.hypothesis.cost
-
-    @property
     def score_without_mistake(self) -> float:
         """The score but for the rarity of a mistake. That it fits at one of many sizes or places, or in another order
         of the sides, counts."""
@@ -156,7 +151,7 @@ class Scorer:
         signs = len(self.plan.labels) if scheme else (lines_to_look_for(a[None], b[None]) & self.plan.needed).sum()
         beside = w.UNEXPLAINED_COST_PER_MM * min(one.strange, self._most_unexplained_mm) if scheme else 0.0
         most = self.ink.most_point if scheme else self.ink.most_head
-        short = w.HEAD_EVIDENCE_WEIGHT * most * signs - one.score_without_prior - beside
+        short = w.HEAD_EVIDENCE_WEIGHT * most * signs - one.score - one.hypothesis.cost - beside
         return bool(
             short - one.erred < w.LEAST_EVIDENCE_GAP
             and not (one.hypothesis.is_right and short > w.HYPOTHESIS_COSTS["length"])
