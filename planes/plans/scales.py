@@ -28,7 +28,7 @@ USUAL_GROUP_COUNT = 2
 MORE_GROUPS_SIZE_RATIO = 1.2
 ROUNDING_FORCE_RATIO = 1e-12  # of mass times acceleration: a force that is only rounding
 ZERO_VECTOR_MM = 0.05  # a vector shorter than this has no length on paper
-LEAST_LINK_MM = 12.0  # the signs of a hinge and a slider, beside each other
+LEAST_LINK_MM = 12.5  # the signs of a hinge and a slider, beside each other
 SHORT_LINK_SIZE_RATIO = 1.7  # a scheme with a link shorter than this may be larger than usual by this
 LEAST_FORCE_PLAN_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one
 
@@ -97,8 +97,9 @@ def plan_scales(
 
 
 def _shortest_link(plans: Plans, drawing: Drawing) -> float:
-    """The length of the shortest link with two drawn points, from its first point to the farthest, in SI."""
-    marks = ([full_mark_name("position", p) for p in link.points] for link in plans.mechanism.links.values())
+    """The length of the shortest link from its first point to the farthest other, its mass centre aside, in SI."""
+    links = plans.mechanism.links.values()
+    marks = ([full_mark_name("position", p) for p in link.points if p != link.centre] for link in links)
     places = [[drawing[m] for m in names if m in drawing] for names in marks]
     return min((max(abs(z - one[0]) for z in one[1:]) for one in places if len(one) > 1), default=math.inf)
 

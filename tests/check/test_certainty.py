@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 from planes.check.grading.evidence import SURE_VERDICT_PROBABILITY
-from planes.check.grading.judging import OMISSION_SUFFIXES
 from planes.check.grading.paper import ReadMark, ReadPaper, with_pointed_marks
 from planes.check.grading.prepared_plan import Asked, mistake_variants, prepare
 from planes.check.outcome import Outcome, check
@@ -74,7 +73,7 @@ def accused_rightly(found: Outcome) -> bool:
         return True
     hand, blames, plan = found.grading.hand, judged.named.blames, found.bench.asked.plan
     mark = f"{plan}:{blames}"
-    if mark not in judged.misses or judged.named.mistake.endswith(OMISSION_SUFFIXES):
+    if mark not in judged.misses or judged.named.omits:
         return True
     wrong, right = (
         complex(hand.tool.spread_over_drawings(way[mark])[0])
