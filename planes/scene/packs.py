@@ -32,7 +32,8 @@ class Pack:
     command_after: str = ""  # in lists
 
 
-_FILES = sorted(Path(__file__).parents[1].rglob("pack.json"))
+_ROOMS = Path(__file__).parents[1]
+_FILES = sorted([*_ROOMS.glob("*/pack.json"), *_ROOMS.glob("*/*/pack.json")])  # as the package data of the wheel
 PACKS = {pack.key: pack for pack in (Pack(**json.loads(file.read_text("utf-8"))) for file in _FILES)}
 PARTS_OF_PACKS = tuple(key for key, pack in PACKS.items() if not pack.scene_keys)
 """The keys of packs in a scene of a mechanism."""

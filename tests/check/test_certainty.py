@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import random
 from dataclasses import replace
-from itertools import accumulate
+from itertools import accumulate, product
 from pathlib import Path
 
 import pytest
@@ -243,9 +243,9 @@ READ_MM = 0.2  # how surely marks are read
 
 @pytest.mark.slow
 def test_what_is_said_for_sure_is_true() -> None:
-    """Of drawings by shaky hands, whose marks are misread now and then, verdicts said to be sure."""
-    rng, said, true = random.Random(1), 0, 0
-    for easel in confusion.easels():
+    """Of drawings by shaky hands, whose marks are misread now and then, verdicts said to be sure: 917 of 929 held."""
+    said, true = 0, 0
+    for rng, easel in product(map(random.Random, range(1, 6)), confusion.easels()):
         every = [m for m in confusion.possible(easel) if confusion.size(easel, m, READ_MM) > 3]
         for mistake in (None, *rng.sample(every, min(2, len(every))), None):
             paper = confusion.hand_in(easel, mistake, SHAKY, rng)
@@ -260,7 +260,7 @@ def test_what_is_said_for_sure_is_true() -> None:
                 said += 1
                 true += (found.verdict == "wrong") == (mistake is not None)
     print("said for sure", said, "true", true)
-    assert said > 100 and true >= SURE_VERDICT_PROBABILITY * said
+    assert said > 500 and true >= 0.985 * said
 
 
 @pytest.mark.parametrize("lang", ["ru", "en", "uk", "be"])

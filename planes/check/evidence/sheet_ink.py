@@ -114,6 +114,7 @@ class SheetInk:
     # maximum evidence for a head, and for a point of a scheme
     most_head = HEAD_EVIDENCE_RANGE[1]
     most_point = POINT_EVIDENCE_RANGE[1]
+    _usual_darkness = 1.0  # of ink, relative to paper, where pictures show it
 
     def __init__(self, dark: Array, corner: complex, high_mm: float, source: Ink | None = None) -> None:
         self.source = source  # the ink it was made from, with its letters
@@ -188,7 +189,8 @@ class SheetInk:
         if self.source is None or not self.points.size:
             return numpy.ones(len(self.points))
         dark = self.source.darkest_around(self.points)
-        firm: Array = numpy.minimum(dark / (PALEST_VECTOR_DARKNESS * max(float(numpy.median(dark)), 1.0)), 1.0)
+        self._usual_darkness = max(float(numpy.median(dark)), 1.0)
+        firm: Array = numpy.minimum(dark / (PALEST_VECTOR_DARKNESS * self._usual_darkness), 1.0)
         return firm
 
     def drawn_shares(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
@@ -293,9 +295,8 @@ class SheetInk:
         """The largest share of a ring about each pixel that is ink, of lines or of small pieces, as letters are; and
         about the pixels near each."""
         dark = self.even.reshape(self.height, self.width)
-        if self.source is not None and self.points.size:
-            usual = max(float(numpy.median(self.source.darkest_around(self.points))), 1.0)
-            dark = cv().resize(self.source.dark, dark.shape[::-1], interpolation=cv().INTER_AREA) / usual
+        if self.source is not None:
+            dark = resize_by_factor(self.source.dark, PX_PER_MM / self.source.flat.scale) / self._usual_darkness
         dark = (dark > POINT_INK_DARKNESS).astype(numpy.float32)
         reach = math.ceil(POINT_RADII_MM[-1] * PX_PER_MM) + 2
         y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1] / PX_PER_MM

@@ -106,11 +106,16 @@ class Explanation:
                 return [SignFault("names_exchanged", one, two, w.SWAPPED_NAMES_CERTAINTY)]
         return []
 
+    @property
+    def is_at_wrong_scale(self) -> bool:
+        """Whether the whole plan is at another scale than the given one; where none is given, the drawer chooses."""
+        return self.likeliest_drawing.hypothesis.kind == "scaled" and bool(self.plan.bench.asked.mu)
+
     def transformed_plan_faults(self) -> list[SignFault]:
         """The fault of a plan mirrored, turned or at a wrong scale as a whole, its marks being right otherwise."""
         h = self.likeliest_drawing.hypothesis
         bench = self.plan.bench
-        if h.kind == "scaled" and bench.asked.mu:
+        if self.is_at_wrong_scale:
             return [plan_scale_fault(bench, bench.said_mu * abs(h.turn), 1 - self.chance_of_other_drawing)]
         if h.mirrored:
             return [SignFault("plan_mirrored", self.plan.labels[0], POLE_LABEL, 1 - self.chance_of_other_drawing)]
@@ -124,8 +129,7 @@ class Explanation:
         pole = self.pole + self.likeliest_drawing.places.get(POLE_LABEL, 0j)
         if h.mirrored:
             return pole + ((z - pole) / h.turn).conjugate()
-        as_one = h.kind == "turned_whole" or (h.kind == "scaled" and self.plan.bench.asked.mu)
-        return pole + (z - pole) / h.turn if as_one else z
+        return pole + (z - pole) / h.turn if h.kind == "turned_whole" or self.is_at_wrong_scale else z
 
     def seen_marks(self) -> list[ReadMark]:
         """The marks seen, from the pole; for a force polygon the ends of its sides in the order of laying."""
@@ -189,8 +193,8 @@ class Explanation:
 
         Otherwise, those far off in a drawing that fits the ink as well: that its mistake is rare is no evidence.
         """
-        at_free_scale = self.likeliest_drawing.hypothesis.kind == "scaled" and not self.plan.bench.asked.mu
-        if at_free_scale or not self.right_drawing.places:
+        is_scaled = self.likeliest_drawing.hypothesis.kind == "scaled"
+        if (is_scaled and not self.is_at_wrong_scale) or not self.right_drawing.places:
             return []
         if self.wrong_drawing and (
             self.likeliest_drawing is self.wrong_drawing or self.chance_of_other_drawing >= w.LEAST_SERIOUS_DOUBT
