@@ -87,7 +87,7 @@ class DrawnByEngine:
         scene = load(str(file))
         self.plans: Plans = plans_and_requested_results(scene, shown=True)[0]
         drive = self.plans.mechanism.drive.position
-        mus = plan_scales(self.plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet, self.plans))
+        mus = plan_scales(self.plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet))
         self.free = FreeNumbers(self.plans, {**self.plans.given, **self.plans.drive_givens_at(drive), **mus})
 
     def drawn(self, flat: Mapping[str, float]) -> Drawing | None:

@@ -38,7 +38,7 @@ def question_from_options(args: Namespace, scene: Scene, plan: str, value: float
     skill = STUDENT_SKILL
     if args.work == "cad":
         from planes.drafting.drawing import draw_program
-        from planes.plans.scales import plan_extent
+        from planes.plans.extents import plan_extent
 
         bench = prepare(asked)
         skill = cad_skill(max(plan_extent(draw_program(bench.program, bench.given), asked.plan), 10.0))

@@ -6,7 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from planes.diagrams.turn import working_range_of
-from planes.plans.scales import PLAN_FIT_MM, drawn_in_si, largest_fitting_scale, plan_width_and_height, scale_leaders
+from planes.plans.extents import plan_width_and_height
+from planes.plans.scales import PLAN_FIT_MM, drawn_in_si, largest_fitting_scale, scale_leaders
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.files import save_file_or_refuse

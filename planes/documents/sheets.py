@@ -16,9 +16,10 @@ from planes.documents.cycle import check_diagram_names, diagrams_and_hodographs,
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.curves import FULL_TURN_DEG, WorkingRange, curves_by_name, driven_link_and_sliding, driven_link_curves
+from planes.plans.extents import plan_extent, plan_width_and_height
 from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.quantities import results_wanted
-from planes.plans.scales import largest_fitting_scale, plan_extent, plan_sizes_on_format, plan_width_and_height
+from planes.plans.scales import largest_fitting_scale, plan_sizes
 from planes.scene import Scene
 from planes.solving import Position, failed_position_sentence, plans_and_requested_results, solve_position
 from planes.solving.nearest import nearest_working_position
@@ -143,7 +144,9 @@ class DrawnPosition:
     @cached_property
     def plan_sizes_mm(self) -> Mapping[str, float]:
         """The size in mm that a sheet gives each kind of plan."""
-        return plan_sizes_on_format(self.scene.sheet, self.plans_and_wanted[0])
+        plans = self.plans_and_wanted[0]
+        moved = plans.drive_givens_at(self.drive_position)
+        return plan_sizes(plans, self.scene.mu, self.scene.sheet, moved)
 
     @cached_property
     def positions_by_factor(self) -> dict[float, Position]:

@@ -14,7 +14,7 @@ from planes.lesson.knobs import Knobs
 from planes.lesson.practice import Practice
 from planes.lesson.steps import displayed_term_name
 from planes.plans import Plans
-from planes.plans.scales import plan_scales, plan_sizes_on_format
+from planes.plans.scales import plan_scales, plan_sizes, plan_sizes_on_format
 from planes.plans.three_centres import plans_with_instant_centres
 from planes.scene import Scene
 from planes.solving import plans_and_requested_results
@@ -45,7 +45,7 @@ class SceneLesson:
         plans, _ = plans_and_requested_results(scene, shown=True)
         plans = plans_with_instant_centres(plans) if centres else plans
         try:
-            mus = plan_scales(plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet, plans))
+            mus = plan_scales(plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet))
             given = {**plans.given, **plans.drive_givens_at(plans.drive.position), **mus}
             drawing = draw_program(plans.program, given)
         except PlanFailure as failure:
@@ -91,7 +91,8 @@ class SceneLesson:
     def practice(self) -> Practice:
         """The questions to a reader."""
         values = {n: float(slot_value(n, self.teller, self.drawing)) for n in values_of_frames(self.frames)}
-        own = self.plans, self.drawing, self.frames, self.equations, plan_sizes_on_format(self.scene.sheet, self.plans)
+        sizes = plan_sizes(self.plans, self.scene.mu, self.scene.sheet)
+        own = self.plans, self.drawing, self.frames, self.equations, sizes
         return Practice(*own, self.given, values, self.teller.spans)
 
 

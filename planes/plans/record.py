@@ -13,6 +13,7 @@ from planes.geometry.arithmetic import Real
 from planes.plans.assur.basic_links import Leads
 from planes.plans.assur.structure import Structure
 from planes.plans.centres import Centre, Check
+from planes.plans.extents import TURN_POSITIONS, Size, size_over_turn
 from planes.plans.force.loads import Loads
 from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
@@ -32,6 +33,7 @@ from planes.words.names import (
     force_plan_links,
     force_plan_name,
     full_mark_name,
+    mu_name,
     plan_kind,
 )
 from planes.words.naming import Naming
@@ -191,6 +193,13 @@ class Plans:
     def longest_link_length(self) -> float:
         """The longest of them; 1 m where there is none."""
         return max(self.link_lengths.values(), default=1.0)
+
+    @cached_property
+    def turn_size(self) -> Size:
+        """The size of the scheme over a turn of the driver, or as far as it moves, in m."""
+        step = 360.0 / TURN_POSITIONS if self.drive.rotates else self.longest_link_length / TURN_POSITIONS
+        given = {**self.given, mu_name("position"): 1.0, self.drive_given_name: self.drive.position}
+        return size_over_turn(self.program, given, self.drive_given_name, step, self.drive.rotates)
 
     @property
     def plan_names(self) -> NameTuple:

@@ -3,15 +3,20 @@
 One choice for a scene and a position, independent of a sheet: results, note, lesson, blanks and sheets all use it.
 """
 
-import cmath
 import math
 from collections.abc import Mapping
+from functools import cached_property
+from typing import Self
 
 from planes.drafting.drawing import Drawing, draw_program, draw_until_failure
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
 from planes.plans import Plans
-from planes.words.names import POLE_LABEL, NumbersByName, full_mark_name, label_of, mu_name, plan_kind
+from planes.plans.extents import plan_extent
+from planes.plans.sheet_room import SheetRoom
+from planes.words.errors import PlanFailure
+from planes.words.frozen import frozen
+from planes.words.names import NumbersByName, full_mark_name, mu_name, plan_kind
 from planes.words.units import standard_mu, standard_scale
 
 PLAN_FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
@@ -23,9 +28,6 @@ PLAN_SIZE_RATIO_BY_JOINED = dict(
     zip(PLAN_SIZE_RATIO_BY_FORMAT, [*PLAN_SIZE_RATIO_BY_FORMAT.values(), 2.8][1:], strict=True)
 )
 """For several formats side by side, as A3x4: their height is that of the next larger format."""
-# plans are larger by this for more groups: room for labels, on larger sheets
-USUAL_GROUP_COUNT = 2
-MORE_GROUPS_SIZE_RATIO = 1.2
 ROUNDING_FORCE_RATIO = 1e-12  # of mass times acceleration: a force that is only rounding
 ZERO_VECTOR_MM = 0.05  # a vector shorter than this has no length on paper
 LEAST_LINK_MM = 12.5  # the signs of a hinge and a slider, beside each other
@@ -33,12 +35,12 @@ SHORT_LINK_SIZE_RATIO = 1.7  # a scheme with a link shorter than this may be lar
 LEAST_FORCE_PLAN_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one
 
 
-def plan_sizes_on_format(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
-    """The size of each kind of plan on the format named for the sheets of a scene, or on one that holds plans for so
-    many groups."""
-    usual = MORE_GROUPS_SIZE_RATIO if len(plans.structure.groups) > USUAL_GROUP_COUNT else 1.0
-    name = str(sheet.get("format", ""))
-    share = (PLAN_SIZE_RATIO_BY_JOINED if "x" in name else PLAN_SIZE_RATIO_BY_FORMAT).get(name[:2], usual)
+def plan_sizes_on_format(sheet: Mapping[str, object]) -> NumbersByName | None:
+    """The size of each kind of plan on the format named for the sheets of a scene; None where none is."""
+    name = str(sheet.get("format", "auto"))
+    if name == "auto":
+        return None
+    share = (PLAN_SIZE_RATIO_BY_JOINED if "x" in name else PLAN_SIZE_RATIO_BY_FORMAT)[name[:2]]
     return {kind: share * mm for kind, mm in PLAN_FIT_MM.items()}
 
 
@@ -71,37 +73,82 @@ def plan_scales(
     plans: Plans,
     said: Mapping[str, float | None],
     given: Mapping[str, object] | None = None,
-    fit_mm: NumbersByName = PLAN_FIT_MM,
+    fit_mm: NumbersByName | None = None,
 ) -> dict[str, float]:
     """μ of every plan of one position (names to mm per SI unit). Raises the same errors as drawing that position.
 
-    ``fit_mm`` is the size of each kind of plan.
+    ``fit_mm`` is the size of each kind of plan, if not as large as the sheets allow.
     """
-    fixed = {p: said.get(plan_kind(p)) for p in plans.plan_names if p != "lever"}
-    chosen = {mu_name(p): mu for p, mu in fixed.items() if mu}
-    if len(chosen) < len(fixed):
-        now = {**plans.given, **unit_scales_of_plans(plans), **(given or {})}
-        drawing, failed = draw_until_failure(plans.program, now)
-        sizes = {plan: _plan_size_si(plans, drawing, plan) for plan, mu in fixed.items() if not mu}
-        for plan, leader in scale_leaders(sizes, fit_mm).items():
-            mm = fit_mm[plan_kind(plan)]
-            chosen[mu_name(plan)] = mu = largest_fitting_scale(plan, sizes[leader], mm)
-            if plan == "position" and mm >= PLAN_FIT_MM[plan] and mu * _shortest_link(plans, drawing) < LEAST_LINK_MM:
-                chosen[mu_name(plan)] = largest_fitting_scale(plan, sizes[leader], SHORT_LINK_SIZE_RATIO * mm)
-        if failed:  # give it in millimetres of the paper
-            draw_program(plans.program, {**now, **chosen})
-            raise failed
-    if "lever" in plans.plan_names:
-        chosen[mu_name("lever")] = chosen[mu_name("motion" if plans.at_rest else "velocity")]
+    choice = ScaleChoice.of(plans, said, given)
+    chosen = choice.scales_at(fit_mm or choice.largest_sizes)
+    if choice.failure:  # give it in millimetres of the paper
+        draw_program(plans.program, {**choice.given, **chosen})
+        raise choice.failure
     return chosen
 
 
-def _shortest_link(plans: Plans, drawing: Drawing) -> float:
-    """The length of the shortest link from its first point to the farthest other, its mass centre aside, in SI."""
-    links = plans.mechanism.links.values()
-    marks = ([full_mark_name("position", p) for p in link.points if p != link.centre] for link in links)
-    places = [[drawing[m] for m in names if m in drawing] for names in marks]
-    return min((max(abs(z - one[0]) for z in one[1:]) for one in places if len(one) > 1), default=math.inf)
+def plan_sizes(
+    plans: Plans,
+    said: Mapping[str, float | None],
+    sheet: Mapping[str, object],
+    given: Mapping[str, object] | None = None,
+) -> NumbersByName:
+    """The size of each kind of plan: that for the format named for the sheets of a scene, or the largest with which the
+    sheets of a mechanism keep their formats."""
+    return plan_sizes_on_format(sheet) or ScaleChoice.of(plans, said, given).largest_sizes
+
+
+@frozen
+class ScaleChoice:
+    """The choice of every μ of one position: ``said`` are those of the scene by kind of plan, ``drawing`` shows the
+    plans at the scales of ``given``, 1 mm per SI unit, as far as there is no ``failure``."""
+
+    plans: Plans
+    said: Mapping[str, float | None]
+    given: Mapping[str, object]
+    drawing: Drawing
+    failure: PlanFailure | None
+
+    @classmethod
+    def of(cls, plans: Plans, said: Mapping[str, float | None], moved: Mapping[str, object] | None = None) -> Self:
+        """The choice for a position of the drive, by default that of the scene."""
+        given = {**plans.given, **unit_scales_of_plans(plans), **(moved or {})}
+        return cls(plans, said, given, *draw_until_failure(plans.program, given))
+
+    @cached_property
+    def largest_sizes(self) -> NumbersByName:
+        """The largest size of each kind of plan with which the sheets of a mechanism keep their formats."""
+        if self.plans.has_mechanism and self.open_plan_sizes_si:
+            return SheetRoom(self.plans, self.drawing).largest_sizes(PLAN_FIT_MM, self.scales_at)
+        return PLAN_FIT_MM
+
+    @cached_property
+    def open_plan_sizes_si(self) -> NumbersByName:
+        """The sizes in SI of the plans whose μ the scene leaves open."""
+        names = [p for p in self.plans.plan_names if p != "lever" and not self.said.get(plan_kind(p))]
+        return {plan: _plan_size_si(self.plans, self.drawing, plan) for plan in names}
+
+    def scales_at(self, fit_mm: NumbersByName) -> dict[str, float]:
+        """Every μ for some sizes of plans."""
+        sizes = self.open_plan_sizes_si
+        chosen = {mu_name(p): mu for p in self.plans.plan_names if (mu := self.said.get(plan_kind(p))) and p != "lever"}
+        for plan, leader in scale_leaders(sizes, fit_mm).items():
+            mm = fit_mm[plan_kind(plan)]
+            chosen[mu_name(plan)] = mu = largest_fitting_scale(plan, sizes[leader], mm)
+            if plan == "position" and mm >= PLAN_FIT_MM[plan] and mu * self._shortest_link < LEAST_LINK_MM:
+                larger = max(mm, SHORT_LINK_SIZE_RATIO * PLAN_FIT_MM[plan])
+                chosen[mu_name(plan)] = largest_fitting_scale(plan, sizes[leader], larger)
+        if "lever" in self.plans.plan_names:
+            chosen[mu_name("lever")] = chosen[mu_name("motion" if self.plans.at_rest else "velocity")]
+        return chosen
+
+    @cached_property
+    def _shortest_link(self) -> float:
+        """The length of the shortest link from its first point to the farthest other, its mass centre aside, in SI."""
+        links = self.plans.mechanism.links.values()
+        marks = ([full_mark_name("position", p) for p in link.points if p != link.centre] for link in links)
+        places = [[self.drawing[m] for m in names if m in self.drawing] for names in marks]
+        return min((max(abs(z - one[0]) for z in one[1:]) for one in places if len(one) > 1), default=math.inf)
 
 
 def largest_fitting_scale(plan: str, size: float, fit_mm: float) -> float:
@@ -119,25 +166,3 @@ def _plan_size_si(plans: Plans, drawing: Drawing, plan: str) -> float:
             return size
         return 0.0
     return size
-
-
-def plan_extent(drawing: Drawing, plan: str) -> float:
-    """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
-    return max(plan_width_and_height(drawing, plan))
-
-
-def plan_width_and_height(drawing: Drawing, plan: str) -> tuple[float, float]:
-    """The width and the height of the box around a plan's marks."""
-    made = (
-        s
-        for s in drawing.program.mark_steps_by_plan.get(plan, ())
-        if not s.is_outside_plan and label_of(s.makes) != POLE_LABEL
-    )
-    marks = [drawing[s.makes] for s in made]
-    if plan != "position":
-        marks.append(0j)
-    marks = [m for m in marks if cmath.isfinite(m)]
-    if not marks:
-        return 0.0, 0.0
-    wide = max(m.real for m in marks) - min(m.real for m in marks)
-    return float(wide), float(max(m.imag for m in marks) - min(m.imag for m in marks))

@@ -279,7 +279,7 @@ def solve_position(
     the sheet named in the scene."""
     moved = plans.drive_givens_at(value)
     plans, wanted = plans_fitted_at_position(plans, wanted, value)
-    mus = plan_scales(plans, scene.mu, moved, fit_mm or plan_sizes_on_format(scene.sheet, plans))
+    mus = plan_scales(plans, scene.mu, moved, fit_mm or plan_sizes_on_format(scene.sheet))
     given = {**plans.given, **mus, **moved}
     drawing = draw_program(plans.program, given, instrument)
     refuse_unproved_drawing(

@@ -5,9 +5,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from planes.plans.columns import Column
+from planes.plans.extents import plan_extent
 from planes.plans.measuring import BLUNT_CROSSING_SINE, DrawingReader, plan_name_in_words
 from planes.plans.quantities import MOTION_GROUPS, Measured
-from planes.plans.scales import PLAN_FIT_MM, plan_extent
+from planes.plans.scales import PLAN_FIT_MM
 from planes.scene import Scene
 from planes.solving import (
     Position,

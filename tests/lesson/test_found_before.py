@@ -56,8 +56,8 @@ def sentences(name: str) -> str:
 
 def test_the_second_example_has_its_printed_numbers():
     told = sentences("bntu-2")
-    assert r"N_{30}=\dfrac{29.9 \ \mathrm{mm}}{0.04}={-746.7}\ \mathrm{N}" in told
-    assert r"T_{30}=\dfrac{4.5 \ \mathrm{mm}}{0.04}=112\ \mathrm{N}" in told
+    assert r"N_{30}=\dfrac{37.3 \ \mathrm{mm}}{0.05}={-746.7}\ \mathrm{N}" in told
+    assert r"T_{30}=\dfrac{5.6 \ \mathrm{mm}}{0.05}=112\ \mathrm{N}" in told
     assert r"P_{T30}=T_{30} \cdot v_{3}=112 \cdot ({-2.1})={-235.2}\ \mathrm{W}" in told
 
 

@@ -37,7 +37,7 @@ def said(data: Json) -> list[Json]:
     """What every frame says at other places of the drive."""
     scene, found = load(str(SCENE)), []
     plans, drive = plans_of(scene.mechanism), data["drive"]["given"]
-    mus = plan_scales(plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet, plans))
+    mus = plan_scales(plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet))
     told = SceneLesson.of(scene)
     for value in (150.0, 165.5, 201.7):
         there = draw_program(plans.program, {**plans.given, **mus, drive: value})

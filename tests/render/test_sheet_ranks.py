@@ -34,7 +34,7 @@ def test_a_scheme_grows_by_scales_of_the_standard_and_not_where_its_scale_is_sta
     drawn = DrawnPosition(load(RPR), None, "ru")
     usual = drawn.position_at_scene_scales.scales["mu_position"]
     grown = drawn.with_enlarged_scheme(Sizes().with_larger_plan("loaded", 1.42)).scales
-    assert (usual, grown["mu_position"]) == (250.0, 400.0)  # 1:4 and 1:2.5
+    assert (usual, grown["mu_position"]) == (250.0, 500.0)  # 1:4 and 1:2
     assert {k: mu for k, mu in grown.items() if k != "mu_position"} == {
         k: mu for k, mu in drawn.position_at_scene_scales.scales.items() if k != "mu_position"
     }

@@ -31,8 +31,8 @@ def test_a_plan_that_does_not_fit_gets_a_smaller_scale() -> None:
     assert solved.positions[0].scales["mu_velocity"] == 30
     remedy_positions(solved)
     blunt, sharp = solved.positions
-    assert blunt.scales["mu_velocity"] == 2 and sharp.scales["mu_velocity"] == 30
-    assert any("it is drawn at μ = 2 mm/(m/s)" in w for w in blunt.results["warnings"])
+    assert blunt.scales["mu_velocity"] == 2.5 and sharp.scales["mu_velocity"] == 30
+    assert any("it is drawn at μ = 2.5 mm/(m/s)" in w for w in blunt.results["warnings"])
     assert "remedied" not in sharp.results
 
 
@@ -76,4 +76,4 @@ def test_commands_say_what_was_done(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert main(["sheet", str(scene), "--phi", "180", "--remedy", "-o", str(out), "--lang", "en"]) == 0
     assert "the neighbouring position 175° is drawn instead" in capsys.readouterr().err and out.exists()
     assert main(["sheet", SIX, "--phi", "129.6", "--remedy", "-o", str(out), "--lang", "en"]) == 0
-    assert "drawn at μ = 2 mm/(m/s)" in capsys.readouterr().err
+    assert "drawn at μ = 2.5 mm/(m/s)" in capsys.readouterr().err

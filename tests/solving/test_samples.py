@@ -297,7 +297,7 @@ def test_texts_are_in_two_languages_and_comments_too(name: str) -> None:
 
 @pytest.mark.parametrize("name", OF_ONE_GROUP)
 def test_plans_of_the_kinds_look_well(name: str) -> None:
-    """No vector under 1 mm, of forces half of it (but those that are zero), none above 160 mm, no blunt crossing, no
+    """No vector under 1 mm, of forces half of it (but those that are zero), none above 200 mm, no blunt crossing, no
     warning."""
     found = solved(name).positions[0].results
     assert not found["warnings"]
@@ -309,7 +309,7 @@ def test_plans_of_the_kinds_look_well(name: str) -> None:
         if kind == "position":
             continue
         lengths = [s["mm"] for s in drawn["segments"].values()]
-        assert plan_name_in_words(plan, "en") and max(lengths) <= 160, plan
+        assert plan_name_in_words(plan, "en") and max(lengths) <= 200, plan
         least = 0.5 if kind == "force" else 1
         assert all(mm >= least or mm < 1e-9 for mm in lengths), (plan, drawn["segments"])
         assert all(s > math.sin(math.radians(20)) for s in drawn["sharpness"].values()), plan

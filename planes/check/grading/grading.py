@@ -23,7 +23,8 @@ from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.skill import TOLERANCE_SIGMAS
 from planes.drafting.steps import LayOff, Same, Step
 from planes.geometry.plane import distance_to_nearest
-from planes.plans.scales import ZERO_VECTOR_MM, plan_extent
+from planes.plans.extents import plan_extent
+from planes.plans.scales import ZERO_VECTOR_MM
 from planes.words import Phrase, Written
 from planes.words.names import full_mark_name, label_of, letter_of, mu_name, plan_kind, plan_of
 

@@ -177,7 +177,7 @@ def prepare(asked: Asked) -> PreparedPlan:
     plans = plans if asked.value is None else plans_with_sharp_leads(plans, asked.value)
     given = {
         **plans.given,
-        **plan_scales(plans, asked.scene.mu, moved, plan_sizes_on_format(asked.scene.sheet, plans)),
+        **plan_scales(plans, asked.scene.mu, moved, plan_sizes_on_format(asked.scene.sheet)),
         **moved,
     }
     if asked.mu:

@@ -19,7 +19,7 @@ from planes.check.report.regrading import SCREEN_MARK_ERROR_MM, Places, TapePair
 from planes.check.report.shown import own_marks, own_side_order, point_coordinates, shown_plans, vector_end_labels
 from planes.drafting.steps import Same
 from planes.geometry.plane import bounding_corners
-from planes.plans.scales import plan_extent
+from planes.plans.extents import plan_extent
 from planes.words import Lang, Phrase, say
 from planes.words.names import POLE_LABEL, label_of, plan_of
 from planes.words.records import Json

@@ -1,0 +1,63 @@
+"""How large the plans of a drawing are: boxes around their marks."""
+
+import cmath
+from collections.abc import Iterable, Iterator
+from statistics import median
+
+from planes.drafting.drawing import Drawing, draw_until_failure
+from planes.drafting.program import Program
+from planes.drafting.tools import Things
+from planes.words.names import POLE_LABEL, label_of
+
+Size = tuple[float, float]
+"""The width and the height of a figure."""
+TURN_POSITIONS = 12
+MOST_GROWTH_RATIO = 3.5  # of the reach in the course of a full turn: beyond, far positions are not drawn
+DRAWN_REACH_RATIO = 1.3  # of the usual reach: positions farther off are not drawn then
+
+
+def plan_extent(drawing: Drawing, plan: str) -> float:
+    """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
+    return max(plan_width_and_height(drawing, plan))
+
+
+def plan_width_and_height(drawing: Drawing, plan: str) -> Size:
+    """The width and the height of the box around a plan's marks."""
+    made = drawing.program.mark_steps_by_plan.get(plan, ())
+    marks = [drawing[s.makes] for s in made if not s.is_outside_plan and label_of(s.makes) != POLE_LABEL]
+    if plan != "position":
+        marks.append(0j)
+    return box_size(marks)
+
+
+def box_size(places: Iterable[complex]) -> Size:
+    """The width and the height of the box around some places, those at infinity left out; 0 and 0 for none."""
+    finite = [z for z in places if cmath.isfinite(z)]
+    if not finite:
+        return 0.0, 0.0
+    wide = max(z.real for z in finite) - min(z.real for z in finite)
+    return float(wide), float(max(z.imag for z in finite) - min(z.imag for z in finite))
+
+
+def size_over_turn(program: Program, given: Things, drive: str, step: float, closed: bool) -> Size:
+    """The size in SI of a scheme that is drawn in steps of the drive to both sides of its position, until one cannot be
+    drawn; over a whole turn, if it is ``closed``."""
+    scheme = program.cut_to_names(s.makes for s in program.mark_steps_by_plan.get("position", ()))
+    placed = [*_positions_on_side(scheme, given, drive, step), *_positions_on_side(scheme, given, drive, -step)]
+    reaches = [max((abs(z - places[0]) for z in places), default=0.0) for places in placed]
+    if not reaches:
+        return 0.0, 0.0
+    usual = median(reaches)
+    most = max(reaches)
+    if not closed or len(placed) < TURN_POSITIONS or most >= MOST_GROWTH_RATIO * usual:
+        most = DRAWN_REACH_RATIO * usual
+    return box_size(z for places, reach in zip(placed, reaches, strict=True) if reach <= most for z in places)
+
+
+def _positions_on_side(scheme: Program, given: Things, drive: str, step: float) -> Iterator[list[complex]]:
+    """The places of points in the next positions of the drive, half a turn at most."""
+    for k in range(TURN_POSITIONS // 2 + 1):
+        drawing, failure = draw_until_failure(scheme, {**given, drive: given[drive] + k * step})
+        if failure:
+            return
+        yield [drawing[s.makes] for s in scheme.mark_steps_by_plan.get("position", ()) if not s.is_outside_plan]
