@@ -85,6 +85,7 @@ class Plans:
     figure: StaticsFigure | None = None  # of bodies in equilibrium: the lines beside the marks
     centres: tuple[Centre, ...] = ()  # of links, where requested, and the checks by them
     checks: tuple[Check, ...] = ()
+    uncut: "Plans | None" = None  # the plans of the scene, where only some results of them are drawn
 
     @cached_property
     def default_naming(self) -> Naming:
@@ -234,4 +235,4 @@ def plans_cut_to_names(plans: Plans, wanted: list[str]) -> Plans:
     ]
     program = plans.program.cut_to_names(wanted + lying)
     segments = tuple(s for s in plans.segments if {*s.ends} <= program.result_names)
-    return replace(plans, program=program, segments=segments)
+    return replace(plans, program=program, segments=segments, uncut=plans.uncut or plans)

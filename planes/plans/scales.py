@@ -5,7 +5,7 @@ One choice for a scene and a position, independent of a sheet: results, note, le
 
 import math
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Self
 
 from planes.drafting.drawing import Drawing, draw_program, draw_until_failure
@@ -80,7 +80,8 @@ def plan_scales(
     ``fit_mm`` is the size of each kind of plan, if not as large as the sheets allow.
     """
     choice = ScaleChoice.of(plans, said, given)
-    chosen = choice.scales_at(fit_mm or choice.largest_sizes)
+    asked_of = ScaleChoice.of(plans.uncut, said, given) if plans.uncut else choice
+    chosen = choice.scales_at(fit_mm or asked_of.largest_sizes)
     if choice.failure:  # give it in millimetres of the paper
         draw_program(plans.program, {**choice.given, **chosen})
         raise choice.failure
@@ -94,8 +95,8 @@ def plan_sizes(
     given: Mapping[str, object] | None = None,
 ) -> NumbersByName:
     """The size of each kind of plan: that for the format named for the sheets of a scene, or the largest with which the
-    sheets of a mechanism keep their formats."""
-    return plan_sizes_on_format(sheet) or ScaleChoice.of(plans, said, given).largest_sizes
+    sheets of a mechanism keep their formats, however little of it is drawn."""
+    return plan_sizes_on_format(sheet) or ScaleChoice.of(plans.uncut or plans, said, given).largest_sizes
 
 
 @frozen
@@ -151,6 +152,7 @@ class ScaleChoice:
         return min((max(abs(z - one[0]) for z in one[1:]) for one in places if len(one) > 1), default=math.inf)
 
 
+@lru_cache(1024)
 def largest_fitting_scale(plan: str, size: float, fit_mm: float) -> float:
     """The largest standard μ, mm per SI unit, at which a plan of this size in SI fits into so many millimetres."""
     return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
