@@ -125,21 +125,22 @@ class Project:
         c = self.composer
 
         def make() -> View:
-            figure = self.structure_view(position, letter)
+            figure = self.structure_view(position, position, letter)
             for k, mm in enumerate(REDUCED_SCHEME_SIZES_MM):
                 if self.reduced and (not k or figure.width > MODULE_WIDTH_MM - VIEW_GAP_MM):
-                    figure = min(
-                        figure, self.structure_view(self.reduced(mm), letter), key=lambda v: v.width * v.height
-                    )
+                    primary, groups = self.reduced(REDUCED_SCHEME_SIZES_MM[0]), self.reduced(mm)
+                    tried = self.structure_view(primary, groups, letter)
+                    figure = min(figure, tried, key=lambda v: v.width * v.height)
             return figure
 
         return c.cached_view(("groups", scheme_mu(position), letter), make)
 
-    def structure_view(self, position: Position, letter: float) -> View:
-        """The primary mechanism and the Assur groups separately, with W, q and the structural formula."""
+    def structure_view(self, primary: Position, position: Position, letter: float) -> View:
+        """The primary mechanism, often with the shortest link and so reduced less, and the Assur groups separately,
+        with W, q and the structural formula."""
         c = self.composer
         structure = position.plans.structure
-        parts = [self.links_view(position, (structure.driver,), say("primary", c.lang), True, letter)]
+        parts = [self.links_view(primary, (structure.driver,), say("primary", c.lang), True, letter)]
         for g in structure.groups:
             text = say(
                 "group_named",

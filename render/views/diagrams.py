@@ -23,7 +23,7 @@ from render.views.senses import marks_with_labels
 
 SECTION_COUNT = 12
 SECTION_WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree
-MOST_ORDINATE_SECTIONS = 2.1  # the largest ordinate, over a section
+MOST_RANGE_SECTIONS = 3.5  # from the least ordinate to the greatest, over a section
 READABLE_RANGE_MM = 40.0  # from the least ordinate to the greatest, in diagrams with readable values
 LEAST_ROUND_VALUE_GAP_MM = 5.0  # least distance of round values on their ordinate
 TICK_LENGTH_MM = 1.5  # length of a tick
@@ -142,11 +142,7 @@ class Diagrams:
             low = min(0.0, low)
             high = max(0.0, high)
         spread = high - low if high - low > LEAST_VARIATION_RATIO * size else size
-        mu = (
-            standard_mu(spread, READABLE_RANGE_MM)
-            if self.to_read
-            else standard_mu(size, MOST_ORDINATE_SECTIONS * self.section)
-        )
+        mu = standard_mu(spread, READABLE_RANGE_MM if self.to_read else MOST_RANGE_SECTIONS * self.section)
         step = round_value_step(mu, LEAST_ROUND_VALUE_GAP_MM)
         base = step * math.floor(low / step) if afar else 0.0
         top = mu * (high - base)
