@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import random
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 pytest.importorskip("cv2")
 from planes.check.fiducials import SHEET_MM
+from planes.plans.sheet_room import SheetRoom
 from tests import confusion
 from tests.confusion import SAMPLES, easel
 from tests.helpers.drawings import Mistake
@@ -21,6 +23,15 @@ from tests.physical.setting import Setting, varied
 from tests.picture_corpus import drawn
 
 SIX, RAIL, OVER = easel("six-link", "velocity"), easel("kind-3-rpr", "velocity"), "overshoot 25 mm"
+
+
+@pytest.fixture
+def usual_sizes(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Plans of the usual sizes, at which drawings of counts were looked at."""
+    confusion.bench.cache_clear()
+    monkeypatch.setattr(SheetRoom, "largest_sizes", lambda self, usual, scales_at: usual)
+    yield
+    confusion.bench.cache_clear()
 
 
 def work(mistake: Mistake | None, seed: int) -> corpus.Work:
@@ -77,6 +88,7 @@ def test_pictures_are_made_checked_and_counted(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("usual_sizes")
 def test_lines_drawn_on_past_their_vectors_hide_no_plan(tmp_path: Path) -> None:
     """A missing normal part is named though a fainter construction line runs on past every vector."""
     *_, one = corpus.works(4, 11)
@@ -98,6 +110,7 @@ def test_lines_drawn_on_past_their_vectors_hide_no_plan(tmp_path: Path) -> None:
         ("tinted paper", 401, 1),  # a mistake that leaves the ink of the right plan, but other places of names
     ],
 )
+@pytest.mark.usefixtures("usual_sizes")
 def test_what_was_misjudged_once_is_judged_rightly(factor: str, seed: int, number: int, tmp_path: Path) -> None:
     """Drawings of counts that were looked at."""
     drawn_ = f"{seed} {factor} {number}"
@@ -110,6 +123,7 @@ def test_what_was_misjudged_once_is_judged_rightly(factor: str, seed: int, numbe
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("usual_sizes")
 def test_a_force_that_runs_past_the_pole_to_a_lone_head_is_not_called_right(tmp_path: Path) -> None:
     """The head stands off the line that was fitted to two vectors beside each other."""
     factor = "phone, 1280 px"

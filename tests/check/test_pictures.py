@@ -101,7 +101,7 @@ def test_force_polygons_are_read_in_any_order(camera: Camera, first: int, tmp_pa
     """The weight of slider 5 lies within two longer forces of its line, no end of it is seen: that is said."""
     for sample, plan in FORCES[first::2]:
         drawn, found = looked(easel(sample, plan), camera, tmp_path, seed=3)
-        hidden = {"force:4-5": {"G_5", "I_5"}, "force:2-3": {"I_3", "F_30"}}  # ends no head shows among others
+        hidden = {"force:4-5": {"G_5", "I_5"}, "force:2-3": {"I_3", "F_30", "F_21n"}}  # ends no head shows among others
         told = found.verdict, set(found.unseen) - hidden.get(plan, set())
         assert told in (("right", set()), ("right_as_seen", set())), (sample, plan, found.sentence.told("en"))
         assert found.verdict == "right" or plan in hidden
