@@ -2,6 +2,7 @@
 
 import cmath
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -192,9 +193,21 @@ class Scheme:
         low, high = self.rod_range(reach, stops)
         ends = through + low * along, through + high * along
         self.guides += symbols.bar(*ends)
+        self.name_moving_guide(name, ends)
         off = [z for z, w in zip(joints, ways, strict=True) if abs(w.imag) >= SAME_PLACE_MM]
         self.add_rigid_joint(through + reach[0] * along, ends, off[:1])
         return [] if on else [through + reach[0] * along]
+
+    def name_moving_guide(self, name: str, ends: tuple[complex, complex]) -> None:
+        """The letter of a guide on a link that no point has, at its free end: n of n-n, D of AD."""
+        letters = re.findall(r"[A-Z]\d*", name) if re.fullmatch(r"([A-Z]\d*)+", name) else [*guide_end_letters(name)]
+        own = [p for p in letters if self.places.is_drawn(p)]
+        near = self.places.point_place(own[0]) if own else self.places.guide_line(name)[0]
+        images = {x for link in self.links for x in self.coincident_guide_letters(link.first_point)}
+        free = next((x for x in letters if x not in own and x not in images), "")
+        if free:
+            end = max(ends, key=lambda z: abs(z - near))
+            self.named.append(Label(self.naming.lettered_point(free), end, 3.5, name=f"guide {name}"))
 
     def add_rigid_joint(self, z: complex, rod: Sequence[complex], joints: Sequence[complex]) -> None:
         """The sign of a rigid joint where the rod of a guide meets the link's own bar."""
