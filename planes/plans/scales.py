@@ -11,7 +11,17 @@ from planes.drafting.drawing import Drawing, draw_program, draw_until_failure
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
 from planes.plans import Plans
-from planes.words.names import POLE_LABEL, NumbersByName, full_mark_name, label_of, mu_name, plan_kind
+from planes.words.names import (
+    ACCELERATION_PLAN,
+    LEVER_PLAN,
+    MOTION_PLAN,
+    NO_PLAN,
+    POLE_LABEL,
+    VELOCITY_PLAN,
+    NumbersByName,
+    PlanId,
+    scheme_mark,
+)
 from planes.words.units import standard_mu, standard_scale
 
 PLAN_FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
@@ -42,22 +52,22 @@ def plan_sizes_on_format(sheet: Mapping[str, object], plans: Plans) -> dict[str,
     return {kind: share * mm for kind, mm in PLAN_FIT_MM.items()}
 
 
-def scale_leaders(sizes: NumbersByName, fit_mm: NumbersByName = PLAN_FIT_MM) -> dict[str, str]:
+def scale_leaders(sizes: Mapping[PlanId, float], fit_mm: NumbersByName = PLAN_FIT_MM) -> dict[PlanId, PlanId]:
     """For each plan, given the sizes in SI, the plan whose μ it shares. Force plans share one, since forces are carried
     from one to another: that of the largest plan. Those too small at it share the μ of the largest among them."""
-    forces = sorted((p for p in sizes if plan_kind(p) == "force"), key=lambda p: -sizes[p])
+    forces = sorted((p for p in sizes if p.is_force), key=lambda p: -sizes[p])
     small = [
         p
         for p in forces
         if 0.0 < sizes[p] * largest_fitting_scale(p, sizes[forces[0]], fit_mm["force"]) < LEAST_FORCE_PLAN_MM
     ]
     leader_of = {plan: forces[0] if plan in forces else plan for plan in sizes}
-    return leader_of | dict.fromkeys(small, next(iter(small), ""))
+    return leader_of | dict.fromkeys(small, next(iter(small), NO_PLAN))
 
 
 def unit_scales_of_plans(plans: Plans) -> dict[str, float]:
     """Every μ as 1 mm per SI unit: a drawing in SI, to find the sizes."""
-    return {mu_name(plan): 1.0 for plan in plans.plan_names}
+    return {plan.mu_name: 1.0 for plan in plans.plan_names}
 
 
 def drawn_in_si(plans: Plans, value: Real, program: Program | None = None) -> Drawing:
@@ -77,29 +87,29 @@ def plan_scales(
 
     ``fit_mm`` is the size of each kind of plan.
     """
-    fixed = {p: said.get(plan_kind(p)) for p in plans.plan_names if p != "lever"}
-    chosen = {mu_name(p): mu for p, mu in fixed.items() if mu}
+    fixed = {p: said.get(p.kind) for p in plans.plan_names if p != "lever"}
+    chosen = {p.mu_name: mu for p, mu in fixed.items() if mu}
     if len(chosen) < len(fixed):
         now = {**plans.given, **unit_scales_of_plans(plans), **(given or {})}
         drawing, failed = draw_until_failure(plans.program, now)
         sizes = {plan: _plan_size_si(plans, drawing, plan) for plan, mu in fixed.items() if not mu}
         for plan, leader in scale_leaders(sizes, fit_mm).items():
-            mm = fit_mm[plan_kind(plan)]
-            chosen[mu_name(plan)] = mu = largest_fitting_scale(plan, sizes[leader], mm)
+            mm = fit_mm[plan.kind]
+            chosen[plan.mu_name] = mu = largest_fitting_scale(plan, sizes[leader], mm)
             if plan == "position" and mm >= PLAN_FIT_MM[plan] and mu * _shortest_link(plans, drawing) < LEAST_LINK_MM:
-                chosen[mu_name(plan)] = largest_fitting_scale(plan, sizes[leader], SHORT_LINK_SIZE_RATIO * mm)
+                chosen[plan.mu_name] = largest_fitting_scale(plan, sizes[leader], SHORT_LINK_SIZE_RATIO * mm)
         if failed:  # give it in millimetres of the paper
             draw_program(plans.program, {**now, **chosen})
             raise failed
     if "lever" in plans.plan_names:
-        chosen[mu_name("lever")] = chosen[mu_name("motion" if plans.at_rest else "velocity")]
+        chosen[LEVER_PLAN.mu_name] = chosen[(MOTION_PLAN if plans.at_rest else VELOCITY_PLAN).mu_name]
     return chosen
 
 
 def _shortest_link(plans: Plans, drawing: Drawing) -> float:
     """The length of the shortest link from its first point to the farthest other, its mass centre aside, in SI."""
     links = plans.mechanism.links.values()
-    marks = ([full_mark_name("position", p) for p in link.points if p != link.centre] for link in links)
+    marks = ([scheme_mark(p) for p in link.points if p != link.centre] for link in links)
     places = [[drawing[m] for m in names if m in drawing] for names in marks]
     return min((max(abs(z - one[0]) for z in one[1:]) for one in places if len(one) > 1), default=math.inf)
 
@@ -109,30 +119,26 @@ def largest_fitting_scale(plan: str, size: float, fit_mm: float) -> float:
     return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
 
 
-def _plan_size_si(plans: Plans, drawing: Drawing, plan: str) -> float:
+def _plan_size_si(plans: Plans, drawing: Drawing, plan: PlanId) -> float:
     """The size of a plan in SI; zero for a force polygon with only the rounding of inertia and weight."""
     size = plan_extent(drawing, plan)
     m = plans.mechanism
-    if plan_kind(plan) == "force" and "acceleration" in plans.plan_names:
+    if plan.is_force and "acceleration" in plans.plan_names:
         mass = sum(link.mass or 0.0 for link in m.links.values())
-        if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, "acceleration")):
+        if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, ACCELERATION_PLAN)):
             return size
         return 0.0
     return size
 
 
-def plan_extent(drawing: Drawing, plan: str) -> float:
+def plan_extent(drawing: Drawing, plan: PlanId) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
     return max(plan_width_and_height(drawing, plan))
 
 
-def plan_width_and_height(drawing: Drawing, plan: str) -> tuple[float, float]:
+def plan_width_and_height(drawing: Drawing, plan: PlanId) -> tuple[float, float]:
     """The width and the height of the box around a plan's marks."""
-    made = (
-        s
-        for s in drawing.program.mark_steps_by_plan.get(plan, ())
-        if not s.is_outside_plan and label_of(s.makes) != POLE_LABEL
-    )
+    made = (s for s in drawing.program.mark_steps_on(plan) if not s.is_outside_plan and s.label != POLE_LABEL)
     marks = [drawing[s.makes] for s in made]
     if plan != "position":
         marks.append(0j)
