@@ -62,9 +62,7 @@ class Errors:
     def __init__(self, plans: Plans, wanted: Iterable[Quantity] | None, position: Position, by: Instrument | None):
         self.quantities = results_with_intermediates(plans, wanted)
         reader = DrawingReader(plans, position.drawing, position.scales)
-        self.segments = {
-            p.mark(k): s for p in plans.plan_names for k, s in reader.measured_segments_of_plan(p).items()
-        }
+        self.segments = {p.mark(k): s for p in plans.plan_names for k, s in reader.measured_segments_of_plan(p).items()}
         columns = {c.name: c for q in self.quantities for c in q.columns}
         columns |= {n: Column(n, "", "", *s.ends, part="size") for n, s in self.segments.items()}
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())

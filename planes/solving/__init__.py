@@ -31,7 +31,7 @@ from planes.solving.warned import accuracy_warnings
 from planes.words import Lang, Phrase, Written
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, NumbersByName, PlanId, split_value_name
+from planes.words.names import POLE_LABEL, MarkPair, NumbersByName, PlanId, split_value_name
 from planes.words.records import Json, Pictured, Tabulated
 
 _GET_VECTOR = attrgetter("vector")
@@ -296,7 +296,7 @@ def solve_position(
         parts = [
             (plan, key, s) for plan in plans.plan_names for key, s in reader.measured_segments_of_plan(plan).items()
         ]
-        spans = {plan.mark(key): s.ends for plan, key, s in parts}
+        spans: dict[str, MarkPair] = {plan.mark(key): s.ends for plan, key, s in parts}
         errors = length_scatter_mm(plans.program, given, plans.drive_given_name, instrument, spans)
     drawn = reader.measurements_by_plan(names, errors)
     if drawn or wanted is None:

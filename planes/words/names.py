@@ -66,8 +66,8 @@ class PlanId(str):
 
     def __new__(cls, kind: str, *links: str) -> "PlanId":
         plan = super().__new__(cls, f"{kind}:{'-'.join(links)}" if links else kind)
-        vars(plan).update(kind=kind, links=links, mu_name=f"mu_{plan}")
-        vars(plan).update(unit=UNIT_OF_PLAN.get(kind, ""), is_force=kind == "force")
+        own = {"kind": kind, "links": links, "mu_name": f"mu_{plan}", "unit": UNIT_OF_PLAN.get(kind, "")}
+        vars(plan).update(own, is_force=kind == "force")
         return plan
 
     @classmethod
@@ -79,18 +79,19 @@ class PlanId(str):
     def __setattr__(self, name: str, *value: object) -> NoReturn:
         refuse_assignment(self, name)
 
+    @lru_cache(8192)  # noqa: B019  plans are few, and a program asks for each mark many times
     def mark(self, label: str) -> "Mark":
         """Its mark with that label."""
         return Mark(self, label)
 
     def marks(self, one: str, other: str) -> MarkPair:
         """Two of its marks, the ends of a segment."""
-        return Mark(self, one), Mark(self, other)
+        return self.mark(one), self.mark(other)
 
     @property
     def pole(self) -> "Mark":
         """Its pole."""
-        return Mark(self, POLE_LABEL)
+        return self.mark(POLE_LABEL)
 
 
 class Mark(str):

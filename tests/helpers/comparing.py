@@ -31,8 +31,8 @@ class Drawn:
     def number(self, name: str) -> Any:
         return self.drawing[name] if name else 0.0
 
-    def vector(self, start: str, end: str) -> Any:
-        return (self.drawing[end] - self.drawing[start]) / self.mu["mu_" + start.rpartition(":")[0]]
+    def vector(self, start: Mark, end: Mark) -> Any:
+        return (self.drawing[end] - self.drawing[start]) / self.mu[start.plan.mu_name]
 
     def place(self, mark: Mark) -> Any:
         return self.drawing[mark] / self.mu[mark.plan.mu_name]
