@@ -19,6 +19,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare
 from planes.check.grading.readable import unreadable_reason
 from planes.scene import load
+from planes.words.names import PlanId
 from tests import sample_oracle
 from tests.helpers import ROOT, drawings, drawings_force
 from tests.helpers.drawings import NONE, SHAKY, Care, Hand, Mistake
@@ -32,7 +33,7 @@ class Easel:
     """One plan of one sample, ready to be drawn many times."""
 
     sample: str
-    plan: str
+    plan: PlanId
     mu: float
     mu_v: float
     mu_a: float

@@ -31,7 +31,6 @@ from planes.plans.scales import plan_scales, plan_sizes_on_format
 from planes.scene import load
 from planes.solving import plans_and_requested_results
 from planes.words.errors import PlanFailure
-from planes.words.names import plan_of
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium, watched
 from tests.helpers.firefox import firefox
@@ -102,7 +101,7 @@ def off(marks: Mapping[str, Any], drawing: Drawing) -> float:
     """The worst mark, mm; of far ones, of their distance."""
     worst = 0.0
     for name, seen in marks.items():
-        if name in drawing and plan_of(name) != "motion" and drawing[name] == drawing[name]:
+        if name in drawing and name.plan != "motion" and drawing[name] == drawing[name]:
             true = complex(drawing[name])
             apart = abs(complex(*seen) - true) if seen else math.inf
             worst = max(worst, apart / max(1.0, abs(true) / FAR_MM))

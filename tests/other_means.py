@@ -40,7 +40,7 @@ from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.scene import load
 from planes.words.errors import PlanesError
-from planes.words.names import POLE_LABEL, label_of, plan_kind
+from planes.words.names import POLE_LABEL
 from render.files import pdf
 from tests.helpers import ROOT
 
@@ -84,7 +84,7 @@ class Nudging(Tool):
 def places(bench: PreparedPlan, spoilt: Spoilt, rng: random.Random | None) -> dict[str, complex] | None:
     """The marks of a drawing by label, mm from the pole."""
     by = dict.fromkeys(bench.marks, 0j) | {
-        m: z for m in bench.marks for n, z in zip(spoilt.marks, spoilt.nudges, strict=True) if n == label_of(m)
+        m: z for m in bench.marks for n, z in zip(spoilt.marks, spoilt.nudges, strict=True) if n == m.label
     }
     things = {**bench.given, **(spoilt.variant.givens if spoilt.variant else {})}
     try:
@@ -92,7 +92,7 @@ def places(bench: PreparedPlan, spoilt: Spoilt, rng: random.Random | None) -> di
     except (PlanesError, ZeroDivisionError):
         return None
     turn, mirrored = spoilt.whole
-    out = {label_of(m): complex(things[m]) for m in bench.marks}
+    out = {m.label: complex(things[m]) for m in bench.marks}
     return {n: (z.conjugate() if mirrored else z) * turn for n, z in out.items()}
 
 
@@ -115,14 +115,14 @@ def benches() -> list[PreparedPlan]:
 
 def lines_of(bench: PreparedPlan) -> list[tuple[str, str]]:
     """What is drawn, by the ends; heads at the second ones, but of links."""
-    known, plan = {POLE_LABEL, *(label_of(m) for m in bench.marks)}, bench.asked.plan
-    if plan_kind(plan) == "position":
+    known, plan = {POLE_LABEL, *(m.label for m in bench.marks)}, bench.plan
+    if plan.kind == "position":
         out = []
         for link in bench.plans.mechanism.links.values():
             points = [n for n in link.points if n in known and n != link.centre]
             out += list(pairwise(points))
         return out
-    if plan_kind(plan) == "force":
+    if plan.is_force:
         equations = [e for e in bench.plans.equations if e.plan == plan]
         polygon = max(equations, key=lambda e: len(e.all_terms))
         sides = [(t.start, t.end) if t.sign > 0 else (t.end, t.start) for t in polygon.all_terms]
@@ -133,7 +133,7 @@ def lines_of(bench: PreparedPlan) -> list[tuple[str, str]]:
 def spoiled(bench: PreparedPlan, kind: str, rng: random.Random) -> Spoilt | None:
     """A mistake of a kind that shows; None where none was hit upon."""
     true = places(bench, Spoilt(), None) or {}
-    fixed = bench.plans.mechanism.frame.points if plan_kind(bench.asked.plan) == "position" else ()
+    fixed = bench.plans.mechanism.frame.points if bench.kind == "position" else ()
     free = [n for n, z in true.items() if n not in fixed and abs(z) > 8]
     before = {b: a for a, b in reversed(lines_of(bench))}
     for _ in range(30):
@@ -157,7 +157,7 @@ def _spoiled(
         variants = mistake_variants(bench, {}, bench.said_mu)
         return Spoilt(kind, (), (), v) if variants and (v := rng.choice(variants)) else None
     if kind in ("mirrored", "scale"):
-        if plan_kind(bench.asked.plan) == "position":
+        if bench.kind == "position":
             return None
         k = rng.choice((0.5, 0.7, 0.8, 1.25, 1.4)) if kind == "scale" else rng.choice((1, -1))
         return Spoilt(kind, (), (), None, (complex(k), kind == "mirrored"))
@@ -258,7 +258,7 @@ class Sheet:
 def sheet(bench: PreparedPlan, drawn: dict[str, complex], spoil: str, rng: random.Random, fonts: Sequence[Path]) -> Any:
     """The sheet, BGR."""
     page, pole, at = Sheet(bench, rng, fonts), blank_pole(bench), {POLE_LABEL: 0j, **drawn}
-    kind, width = plan_kind(bench.asked.plan), SHEET_MM[0]
+    kind, width = bench.kind, SHEET_MM[0]
     if spoil in ("squared", "lined"):
         pen = ImageDraw.Draw(page.paper)
         step = 5 if spoil == "squared" else 8
@@ -419,7 +419,7 @@ def main(words: list[str]) -> None:
         except PlanesError as error:
             verdict, first = f"unreadable {error}"[:10], None
         step = verdict == "wrong" and (first in row["marks"] or row["kind"] in ("mirrored", "scale"))
-        group = plan_kind(row["plan"]) if plan_kind(row["plan"]) in ("position", "force") else "motion"
+        group = row["plan"].kind if row["plan"].kind in ("position", "force") else "motion"
         truth = "right" if row["kind"] == "right" else "wrong"
         for name in (truth, f"{truth} {group}", f"{row['kind']}", f"{truth} {row['spoil']}"):
             table[name, verdict] += 1

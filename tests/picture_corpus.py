@@ -20,7 +20,6 @@ from pathlib import Path
 from planes.check.blank import blank_pole
 from planes.check.outcome import Outcome, check
 from planes.check.vision.photograph import read_picture
-from planes.words.names import label_of
 from tests import confusion
 from tests.confusion import Easel, easels, motion, possible, size
 from tests.helpers import line_drawings, photographs
@@ -136,7 +135,7 @@ def told_of(easel: Easel, mistake: Mistake | None, one: Drawn, found: Outcome, s
         out.blamed, out.named = blamed == mistake.where or same, found.mistake == true or same
         verdicts = found.grading.verdicts if found.grading and found.verdict == "wrong" else {}
         where = blamed if same else mistake.where
-        others = [v for m, v in verdicts.items() if label_of(m) != where and v != "unread"]
+        others = [v for m, v in verdicts.items() if m.label != where and v != "unread"]
         out.innocent, out.innocent_blamed = len(others), others.count("wrong")
         good = bool(out.blamed and out.named)
     if not good:

@@ -19,7 +19,6 @@ from typing import Any
 
 from planes.lesson.data import lesson_data
 from planes.scene import load
-from planes.words.names import plan_of
 from render.page import packer
 from render.page.lesson_page import whole_lesson_page
 from tests.helpers import ROOT
@@ -38,7 +37,7 @@ def by_engine(file: Path, data: Any, sets: int, rng: random.Random) -> Iterator[
         for knob in data["knobs"]:
             flat |= {n: flat[n] * flat[knob["given"]] / data["home"][knob["given"]] for n in knob["tied"]}
         drawing = engine.drawn(flat)
-        marks = {m: complex(drawing[m]) for m in data["marks"] if drawing and m in drawing and plan_of(m) != "motion"}
+        marks = {m: complex(drawing[m]) for m in data["marks"] if drawing and m in drawing and m.plan != "motion"}
         places = {m: [z.real, z.imag] for m, z in marks.items() if z == z}
         yield {"given": given, "marks": places, "failed": drawing is None}
 

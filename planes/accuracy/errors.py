@@ -22,7 +22,7 @@ from planes.plans.columns import Column
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import Measured, Quantity, nested_json, quantities_asked_for, results_with_intermediates
 from planes.solving import Position, Solved
-from planes.words.names import NumbersByName, mu_name
+from planes.words.names import NumbersByName
 from planes.words.records import finite_or_none
 
 
@@ -56,20 +56,15 @@ class Spread(Margins):
         return out
 
 
-_VECTOR_PARTS = ("x", "y", "size")
-
-
 class Errors:
     """The ± of results of one mechanism: a bound for an exact drawing, one standard deviation for a pencil's."""
 
     def __init__(self, plans: Plans, wanted: Iterable[Quantity] | None, position: Position, by: Instrument | None):
         self.quantities = results_with_intermediates(plans, wanted)
         reader = DrawingReader(plans, position.drawing, position.scales)
-        self.segments = {
-            f"{p}:{k}": s for p in plans.plan_names for k, s in reader.measured_segments_of_plan(p).items()
-        }
+        self.segments = {p.mark(k): s for p in plans.plan_names for k, s in reader.measured_segments_of_plan(p).items()}
         columns = {c.name: c for q in self.quantities for c in q.columns}
-        columns |= {n: Column(n, "", "", *s.ends, "size") for n, s in self.segments.items()}
+        columns |= {n: Column(n, "", "", *s.ends, part="size") for n, s in self.segments.items()}
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         pencil = by if isinstance(by, Pencil) else None
         self.ruler_mm = pencil.ruler_mm / math.sqrt(12.0) if pencil else 0.0  # reading error of the ruler
@@ -86,9 +81,9 @@ class Errors:
         if drawn := position.results.get("plans"):
             out["plans"] = {}
             for plan, measured in drawn.items():  # a ruler reading also has its rounding error
-                mu = position.scales[mu_name(plan)]
+                mu = position.scales[plan.mu_name]
                 keys = measured["segments"]
-                errors = {key: _measured_segment_errors(bounds[f"{plan}:{key}"], mu, self.ruler_mm) for key in keys}
+                errors = {key: _measured_segment_errors(bounds[plan.mark(key)], mu, self.ruler_mm) for key in keys}
                 out["plans"][plan] = {"segments": errors}
         return out
 

@@ -19,12 +19,12 @@ from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
 from planes.drafting.steps.crossings import TwoPlaces
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import TrackStep
 from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.geometry.tracks import CLOSURE_DEGREE_BOUND, Tie, closure_residual
 from planes.plans import Plans
-from planes.words.names import mu_name
+from planes.words.names import SCHEME_PLAN
 
 # of the grid: positions of the drive, lengths, angles of a link
 GRID_DRIVE_POSITIONS = 181
@@ -42,7 +42,7 @@ class LengthField:
     def __init__(self, plans: Plans, name: str, times: float) -> None:
         self.plans = plans
         self.name = name
-        self.base = {**plans.given, mu_name("position"): 1.0}
+        self.base = {**plans.given, SCHEME_PLAN.mu_name: 1.0}
         self.slopes = growth_of_givens(plans, name)
         drive = plans.drive
         self.turns = drive.rotates
@@ -63,10 +63,10 @@ class LengthField:
         return np.asarray(self.plans.link_lengths[self.name] * np.exp(y))
 
     @property
-    def track_cutting_steps(self) -> list[CutTrack]:
+    def track_cutting_steps(self) -> list[TrackStep]:
         """All steps that cut the tracks of these."""
-        held = {s.holds for s in self.steps_with_several_solutions if isinstance(s, CutTrack)}
-        return [s for s in self.plans.program.steps if isinstance(s, CutTrack) and s.holds in held]
+        held = {s.holds for s in self.steps_with_several_solutions if isinstance(s, TrackStep)}
+        return [s for s in self.plans.program.steps if isinstance(s, TrackStep) and s.holds in held]
 
     @cached_property
     def steps_with_several_solutions(self) -> list[Step]:
@@ -74,19 +74,19 @@ class LengthField:
         them."""
         steps: dict[object, Step] = {}
         for step in self.plans.program.steps:
-            if isinstance(step, TwoPlaces | CutTrack) and not self._cuts_tracks(self.program_for_step(step)):
-                steps.setdefault(step.holds if isinstance(step, CutTrack) else step, step)
+            if isinstance(step, TwoPlaces | TrackStep) and not self._cuts_tracks(self.program_for_step(step)):
+                steps.setdefault(step.holds if isinstance(step, TrackStep) else step, step)
         return list(steps.values())
 
     @cached_property
     def is_complete(self) -> bool:
         """Whether the list is complete."""
-        several = (s for s in self.plans.program.steps if isinstance(s, TwoPlaces | CutTrack))
+        several = (s for s in self.plans.program.steps if isinstance(s, TwoPlaces | TrackStep))
         return all(s in self.steps_with_several_solutions or s in self.track_cutting_steps for s in several)
 
     @staticmethod
     def _cuts_tracks(program: Program) -> bool:
-        return any(isinstance(s, CutTrack) for s in program.steps)
+        return any(isinstance(s, TrackStep) for s in program.steps)
 
     def program_for_step(self, step: Step) -> Program:
         """The steps that a given step needs."""
@@ -109,12 +109,12 @@ class LengthField:
 
         return equations
 
-    def lead_ties(self, step: CutTrack, program: Program, x: Array, y: Array) -> list[Tie]:
+    def lead_ties(self, step: TrackStep, program: Program, x: Array, y: Array) -> list[Tie]:
         """The leads at many places."""
         drawing = self.draw_field_places(program, x, y)
         return [hold.lead_tie(drawing.things, 1.0, Arithmetic()) for hold in step.holds]
 
-    def closure_polynomial_terms(self, step: CutTrack, program: Program, x: Array, y: Array) -> Array:
+    def closure_polynomial_terms(self, step: TrackStep, program: Program, x: Array, y: Array) -> Array:
         """The closure of a link as a trigonometric polynomial of its angle: terms -``DEGREE`` … ``DEGREE``."""
         around = np.exp(2j * math.pi * np.arange(POLYNOMIAL_SAMPLE_ANGLES) / POLYNOMIAL_SAMPLE_ANGLES)[:, None]
         samples = closure_residual(self.lead_ties(step, program, x, y), around) + np.zeros(
@@ -125,7 +125,7 @@ class LengthField:
             / POLYNOMIAL_SAMPLE_ANGLES
         )
 
-    def fold_function(self, step: CutTrack) -> Callable[[Array], Array]:
+    def fold_function(self, step: TrackStep) -> Callable[[Array], Array]:
         """The closure of a link and its derivative at places (drive, length, angle of the link)."""
         program, powers = (
             self.program_for_step(step),
@@ -154,7 +154,7 @@ class LengthField:
         """The assemblies on the grid for every track of several links in hinges."""
         sheets = {}
         for step in self.steps_with_several_solutions:
-            if isinstance(step, CutTrack) and _cuts_chain_track(step):
+            if isinstance(step, TrackStep) and _cuts_chain_track(step):
                 size = self.base[step.guess.size]
                 ties = partial(self.lead_ties, step, self.program_for_step(step))
                 sheets[step.makes] = Sheets(ties, size, self.across, self.up, self.turns)
@@ -166,7 +166,7 @@ class LengthField:
         grids = {}
         around = np.exp(2j * math.pi * np.arange(GRID_ANGLES) / GRID_ANGLES)[:, None]
         for step in (s for s in self.steps_with_several_solutions if not _cuts_chain_track(s)):
-            if isinstance(step, CutTrack):
+            if isinstance(step, TrackStep):
                 grid = closure_residual(self.lead_ties(step, self.program_for_step(step), *self.grid_nodes), around)
                 grids[step.makes] = grid.reshape(GRID_ANGLES, *self.grid_shape)
             else:
@@ -181,7 +181,7 @@ class LengthField:
         for step in self.steps_with_several_solutions:
             if step.makes in self.assembly_sheets:
                 total = total * self.assembly_sheets[step.makes].assembly_counts.ravel()
-            elif isinstance(step, CutTrack):
+            elif isinstance(step, TrackStep):
                 total = total * _unit_circle_root_counts(
                     self.closure_polynomial_terms(step, self.program_for_step(step), *self.grid_nodes)
                 )
@@ -204,7 +204,7 @@ class LengthField:
             return self.assembly_sheets[step.makes].fold_curves(CURVE_STEP)
         grid = self.openings_on_grid[step.makes]
         scale = np.nanmax(np.abs(grid))
-        raw = self.fold_function(step) if isinstance(step, CutTrack) else self.opening_function(step)  # type: ignore[arg-type]
+        raw = self.fold_function(step) if isinstance(step, TrackStep) else self.opening_function(step)  # type: ignore[arg-type]
         turn = 2 * math.pi
         ends = [(self.across[0], self.across[-1]), (self.up[0], self.up[-1]), (0.0, turn)][: grid.ndim]
         low, high = np.array(ends).T
@@ -259,4 +259,4 @@ def _cells_of_mixed_sign(ahead: Booleans, *axes: int) -> Booleans:
 
 def _cuts_chain_track(step: Step) -> bool:
     """Whether it cuts the track of several links in hinges."""
-    return isinstance(step, CutTrack) and len(step.holds) > 3
+    return isinstance(step, TrackStep) and len(step.holds) > 3

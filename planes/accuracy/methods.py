@@ -24,7 +24,6 @@ from planes.plans.scales import PLAN_FIT_MM, plan_scales
 from planes.words import Lang, say, sentence_table
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
-from planes.words.names import plan_of
 
 TIMED_POSITIONS = 100_000
 SCALE_FACTOR_BY_FORMAT = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
@@ -136,6 +135,6 @@ def _try_pencil_drawing(bench: Comparison, given: Mapping[str, Point], pencil: P
 
 def _column_by_ruler(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:
     """A column as read with the ruler."""
-    mu = mus["mu_" + plan_of(column.start)]
+    mu = mus["mu_" + column.start.plan]
     size = np.broadcast_to(column.read_from_drawing(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu
     return np.round(size / ruler) * ruler / mu

@@ -12,7 +12,7 @@ from planes.plans.position.bodies import Bodies
 from planes.plans.position.scheme import draw_scheme
 from planes.plans.scales import drawn_in_si
 from planes.scene.mechanism import Assembly, Link, Mechanism
-from planes.words.names import full_mark_name
+from planes.words.names import scheme_mark
 
 
 def plans_with_changed_given(plans: Plans, name: str, value: float) -> Plans:
@@ -95,5 +95,5 @@ def _assemblies_in_words(plans: Plans) -> dict[str, Assembly]:
     for higher in tracked:
         outer = {pair.point for pair in higher.pairs if pair not in higher.inner_pairs}
         key = next(p for link in higher.links for p in plans.mechanism.links[link].points if p not in outer)
-        assemblies[key] = Assembly(near=complex(things[full_mark_name("position", key)]))
+        assemblies[key] = Assembly(near=complex(things[scheme_mark(key)]))
     return assemblies

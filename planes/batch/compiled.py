@@ -18,6 +18,7 @@ from planes.batch.llvm_ir import ROW_GAP_POSITIONS, llvm_module_text, module_sto
 from planes.batch.loops import Loop
 from planes.batch.tracing import Trace
 from planes.geometry.arrays import Array, Floats, Indices
+from planes.words.names import NameTuple
 
 CACHE_LINE_BYTES = 64
 """Bytes of a cache line: numbers that straddle two lines are an eighth slower."""
@@ -35,7 +36,7 @@ def is_compiler_available() -> bool:
 class CompiledLoop(Loop):
     """A compiled trace ready to run; compiled at the first run."""
 
-    def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
+    def __init__(self, trace: Trace, moving: NameTuple, given: Mapping[str, Floats]) -> None:
         super().__init__(trace, moving, given)
         tape = trace.tape
         outputs = list(trace.outputs)

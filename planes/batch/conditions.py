@@ -8,7 +8,7 @@ from planes.drafting.program import Program
 from planes.drafting.proofs import Facts, Proof
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.plane import squared_length
-from planes.words.names import NamePair
+from planes.words.names import PlanId
 
 # relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
 SUSPECTED_GAP_RATIO = 1e-12
@@ -32,14 +32,14 @@ def prove_plans_together(
 ) -> tuple[dict[str, Truth], list[Real]]:
     """Whether the proofs of every reason hold, those of a plan together and relative to all its marks, which is fast;
     where they do not, a loop only suspects, and a drawing decides."""
-    together: dict[NamePair, list[Proof]] = {}
+    together: dict[tuple[str, PlanId], list[Proof]] = {}
     for proof in program.proofs:
         together.setdefault((proof.reason, proof.plan), []).append(proof)
     holds = dict[str, Truth]()
     shown = Facts(things, ar)
     gaps = []
     for (reason, plan), proofs in together.items():
-        sizes = [shown.mark(step.makes) for step in program.mark_steps_by_plan.get(plan, ())]
+        sizes = [shown.mark(step.makes) for step in program.mark_steps_on(plan)]
         size = sum(map(squared_length, sizes or [size for proof in proofs for size in proof.term_magnitudes(shown)]))
         gap = sum(squared_length(z) for proof in proofs for z in proof.residuals(shown))
         gaps.append(gap)

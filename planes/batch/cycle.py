@@ -31,7 +31,7 @@ from planes.plans.scales import unit_scales_of_plans
 from planes.scene.ranges import Span
 from planes.words import Phrase
 from planes.words.errors import ProgramError, list_valid_choices
-from planes.words.names import NamePair
+from planes.words.names import MarkPair
 
 BLOCK_POSITIONS = 4096
 LEAST_POSITIONS_TO_COMPILE = 400_000
@@ -92,7 +92,7 @@ class Cycle(Ready):
         )
 
     @cached_property
-    def force_ends(self) -> list[NamePair]:
+    def force_ends(self) -> list[MarkPair]:
         """The ends of the forces among the columns, without those that are computed from zeros: no load reaches
         them."""
         if not (sides := force_ends_of_columns(self.columns)):

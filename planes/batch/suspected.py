@@ -11,8 +11,9 @@ from planes.batch.tracing import UNCLEAR_REASON, Trace
 from planes.drafting.clearness import is_clear_drawing
 from planes.drafting.drawing import draw_program, mask_unproved_drawings
 from planes.geometry.arrays import Array, Floats, Indices
+from planes.words.names import MarkPair
 
-Forces = list[tuple[str, str]]  # columns by their ends
+Forces = list[MarkPair]  # columns by their ends
 
 
 def draw_suspected_positions(

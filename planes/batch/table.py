@@ -18,7 +18,7 @@ from planes.plans.quantities import Quantity, distinct_quantities, results_wante
 from planes.words import Phrase
 from planes.words.errors import PlanesError, UnknownName
 from planes.words.frozen import frozen
-from planes.words.names import NamePair, label_of
+from planes.words.names import MarkPair, label_of
 from planes.words.naming import Naming
 from planes.words.records import Described
 
@@ -156,7 +156,7 @@ class Reason:
     @property
     def reason_in_short(self) -> str:
         """The reason in short: "C: arcs apart"."""
-        return ": ".join(filter(None, (self.makes and label_of(self.makes), self.key.replace("_", " "))))
+        return ": ".join(filter(None, (label_of(self.makes), self.key.replace("_", " "))))
 
 
 @dataclass(eq=False)
@@ -180,6 +180,6 @@ def columns_of_quantities(plans: Plans, quantities: Iterable[Quantity] | None = 
     return list({c.name: c for q in chosen for c in q.columns}.values())
 
 
-def force_ends_of_columns(columns: Iterable[Column]) -> list[NamePair]:
+def force_ends_of_columns(columns: Iterable[Column]) -> list[MarkPair]:
     """The ends of the forces among the columns, on their plans; each once."""
     return list(dict.fromkeys((c.start, c.end) for c in columns if c.part and c.unit == "N"))

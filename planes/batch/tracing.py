@@ -16,7 +16,7 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
 from planes.words.frozen import frozen
-from planes.words.names import NamePair
+from planes.words.names import MarkPair, NamePair
 
 UNCLEAR_REASON = "unclear"
 
@@ -201,7 +201,7 @@ def trace_program(
     errors: tuple[float, float, float] | None = None,
     must: Sequence[bool] = (),
     fine: float | None = None,
-    forces: Iterable[NamePair] = (),
+    forces: Iterable[MarkPair] = (),
 ) -> Trace:
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 
@@ -228,7 +228,7 @@ def trace_program(
         tool.fail_unless(are_all_finite(tape, gaps + rest), None, "no_digits")
         tool.fail_unless(is_clear_drawing(program, things, tool, forces), None, UNCLEAR_REASON)
     outputs = tuple(place_of_number(tape, x) for x in taken)
-    requires = tuple((r, str(getattr(s, "makes", "")), place_of_number(tape, ok)) for r, s, ok, _ in tool.failures)
+    requires = tuple((r, getattr(s, "makes", ""), place_of_number(tape, ok)) for r, s, ok, _ in tool.failures)
     proofs = frozenset(p.reason for p in program.proofs)
     return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns), proofs)
 

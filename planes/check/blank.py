@@ -3,7 +3,6 @@
 from planes.check.fiducials import OTHER_MARGIN_MM, SHEET_MM, has_room, pole_position
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.plans.scales import largest_fitting_scale
-from planes.words.names import plan_kind
 
 NEXT_SMALLER_SCALE_FACTOR = 0.99  # factor on a scale that forces the next smaller standard scale
 MOST_POLE_OFFSET_MM = 12.0  # a pole this far from the middle of the blank does not give away the direction of the plan
@@ -17,7 +16,7 @@ def plan_fitting_blank(bench: PreparedPlan) -> PreparedPlan:
     plan = bench.plan
     if bench.asked.mu:
         return bench
-    if plan_kind(plan) not in ("position", "force"):
+    if plan.kind not in ("position", "force"):
         aside = abs(blank_pole(bench) - pole_position([])) > MOST_POLE_OFFSET_MM
         reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
         if aside:

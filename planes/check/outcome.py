@@ -22,7 +22,7 @@ from planes.plans.quantities import quantities_by_name
 from planes.words import Phrase, Written, sentences_with_prefix
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE_LABEL, label_of
+from planes.words.names import POLE_LABEL, NamesByName
 from planes.words.records import Described
 
 # a mark at this distance, and half its length, from the constructed point is not called right if errors may be as large
@@ -43,7 +43,7 @@ class Outcome(Described):
     segments: Account | None = None
     results: Account | None = None
     unreadable: Phrase | None = None
-    unknown: dict[str, str] = field(default_factory=dict)  # unknown names in tables, with the nearest known name
+    unknown: NamesByName = field(default_factory=dict)  # unknown names in tables, with the nearest known name
     missing: list[str] = field(default_factory=list)  # results that were asked for and are missing
     unread: list[str] = field(default_factory=list)  # results in unknown units
 
@@ -137,7 +137,7 @@ class Outcome(Described):
             return left
         misses = {} if self.wrong else self.grading.judgement.misses
         far = (
-            label_of(m)
+            m.label
             for m, miss in misses.items()
             if abs(miss.off) > max(MOST_RIGHT_DEVIATION_MM, self.grading.laid_off_length_mm(m) / 2)
         )
@@ -151,7 +151,7 @@ class Outcome(Described):
     def text_as_typed(self, text: str) -> str:
         """A text about the work, with names as people type them."""
         scored = (s.figure.name for t in (self.segments, self.results) if t for s in t.scored)
-        return self.bench.naming.retell_in_typed_names(text, {*map(label_of, self.bench.marks), *scored})
+        return self.bench.naming.retell_in_typed_names(text, {*(m.label for m in self.bench.marks), *scored})
 
     @property
     def has_only_results(self) -> bool:
@@ -229,7 +229,9 @@ def _judge_paper(out: Outcome) -> None:
 
 def _nothing_read_reason(out: Outcome) -> Phrase:
     """Why no mark could be read; a report offers corrections of marks only where it has a picture."""
-    said = out.paper.reason or phrase_with_remedy("check_nothing_read", names=", ".join(map(label_of, out.bench.marks)))
+    said = out.paper.reason or phrase_with_remedy(
+        "check_nothing_read", names=", ".join(m.label for m in out.bench.marks)
+    )
     return said if out.paper.picture else phrase_for_reader("table", said)
 
 

@@ -18,7 +18,7 @@ from planes.scene import Scene
 from planes.solving.text_tables import aligned_table
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import plan_kind
+from planes.words.names import PlanId
 from planes.words.units import read_mu
 
 _PLACE_PATTERN = re.compile(r"\s*(?:([^=]+)=)?\s*([-+]?{0})\s*[,;]\s*([-+]?{0})\s*".format(r"(?:\d+\.?\d*|\.\d+)"))
@@ -32,7 +32,7 @@ def question_from_options(args: Namespace, scene: Scene, plan: str, value: float
         name, _, file = pair.partition("=")
         if not file:
             raise PlanesError(Phrase("check_option", option="--with", text=pair, form="velocity=FILE", hint=""))
-        others[name] = read_paper(
+        others[PlanId.read(name)] = read_paper(
             file, replace(asked, plan=name, mu=None), replace(drawing_data_from_options(args), page=None)
         )
     skill = STUDENT_SKILL
@@ -41,13 +41,13 @@ def question_from_options(args: Namespace, scene: Scene, plan: str, value: float
         from planes.plans.extents import plan_extent
 
         bench = prepare(asked)
-        skill = cad_skill(max(plan_extent(draw_program(bench.program, bench.given), asked.plan), 10.0))
+        skill = cad_skill(max(plan_extent(draw_program(bench.program, bench.given), bench.plan), 10.0))
     return replace(asked, skill=skill, others=others)
 
 
 def requested_scale(args: Namespace, plan: str) -> float | None:
     """The scale given on the command line."""
-    return None if args.mu is None else read_mu(args.mu, plan_kind(plan))
+    return None if args.mu is None else read_mu(args.mu, PlanId.read(plan).kind)
 
 
 def drawing_data_from_options(args: Namespace) -> Known:

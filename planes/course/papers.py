@@ -23,7 +23,7 @@ from planes.solving.given import GivenTable
 from planes.words import Lang, Phrase, say, with_decimal_sign
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.lettering import parameter_lettering, without_index_markup
-from planes.words.names import POLE_LABEL, mu_name, plan_kind
+from planes.words.names import POLE_LABEL, PlanId
 from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text, number_text, unit_of_parameter
 
@@ -136,7 +136,7 @@ def parameter_unit(name: str, lang: Lang) -> str:
 
 def work_sentences(scene: Scene, drawn: Position, lang: Lang, asked: Sequence[str]) -> Iterator[str]:
     """What is to be done, as far as it is ``asked`` (all, if nothing is) and the mechanism asks for it."""
-    plans = {plan_kind(name) for name in drawn.plans.plan_names} | {"structure"}
+    plans = {name.kind for name in drawn.plans.plan_names} | {"structure"}
     m = drawn.plans.mechanism
     drive = drawn.plans.drive
     value = with_decimal_sign(drive_position_in_words(drawn.at, drive.kind, lang), lang)
@@ -168,10 +168,10 @@ def answer_key_blocks(scene: Scene, drawn: Position, heads: Sequence[str], lang:
         yield Paragraph(say("key_sharpness", lang, angle=number_text(angle, lang, 3)))
 
 
-def segment_table(drawn: Position, name: str, lang: Lang, convention: Convention) -> DocumentTable | None:
+def segment_table(drawn: Position, name: PlanId, lang: Lang, convention: Convention) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
     rows = []
-    kind = plan_kind(name)
+    kind = name.kind
     pole = Naming(lang).mark(POLE_LABEL, kind)
     for vector, s, segment in drawn.measured_on(name):
         rows.append(
@@ -184,7 +184,7 @@ def segment_table(drawn: Position, name: str, lang: Lang, convention: Convention
         )
     size = unit_of_name({"velocity": "v", "acceleration": "a"}.get(name, "F")).told(lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
-    mu = with_decimal_sign(mu_text(drawn.scales[mu_name(name)], kind, lang, convention), lang)
+    mu = with_decimal_sign(mu_text(drawn.scales[name.mu_name], kind, lang, convention), lang)
     if rows:
         return DocumentTable(f"{plan_name_in_words(name, lang)}, μ = {mu}", (head, *rows))
     return None

@@ -19,7 +19,7 @@ from planes.scene.mechanism import Load, Mechanism
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen, replace
-from planes.words.names import full_mark_name
+from planes.words.names import scheme_mark
 
 ByPoint = dict[str, Complexes]  # A, B, C
 
@@ -99,7 +99,7 @@ def _read_drawn_plans(plans: Plans, drawing: Drawing, shape: CrankSliderShape, s
         return way if r.pair.link == on else -way
 
     points = {"A": shape.pin, "B": shape.hinge, "C": shape.centre, "S": plans.mechanism.links[shape.crank].mass_centre}
-    pivot = mark(full_mark_name("position", shape.pivot))
+    pivot = mark(scheme_mark(shape.pivot))
     return DrawnRodMotion(
         r={k: mark(plans.points[p].position) - pivot for k, p in points.items()},
         v={k: mark(plans.points[p].velocity) for k, p in points.items()},

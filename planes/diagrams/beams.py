@@ -4,12 +4,11 @@ between them."""
 from itertools import pairwise
 
 from planes.geometry.plane import direction_between
-from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import StaticLoad
 from planes.solving import Position
 from planes.words.frozen import frozen
-from planes.words.names import full_mark_name, mu_name
+from planes.words.names import SCHEME_PLAN, scheme_mark
 
 POINTS_UNDER_DISTRIBUTED_LOAD = 16  # points of a curve under a distributed load
 Outline = list[tuple[float, float]]  # m along the beam, N or N·m
@@ -41,10 +40,7 @@ class _Beam:
         self.figure = figure
         ends = [p for p, _ in figure.moments] + [p for x in figure.spread for p in x.spread or ()]
         ends += [p for *two, _ in figure.shears for p in two]
-        places = {
-            p: complex(position.drawing[full_mark_name(SCHEME_PLAN, p)]) / position.scales[mu_name(SCHEME_PLAN)]
-            for p in ends
-        }
+        places = {p: complex(position.drawing[scheme_mark(p)]) / position.scales[SCHEME_PLAN.mu_name] for p in ends}
         first, last = (pick(places.values(), key=lambda z: (z.real, z.imag)) for pick in (min, max))
         self.way = way = direction_between(first, last)
         stops = {p: ((z - first) * way.conjugate()).real for p, z in places.items()}

@@ -22,7 +22,7 @@ from planes.drafting.steps import Carry, LayOff, Put, Similar, Through, Turn
 from planes.drafting.steps.crossings import Cross
 from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
-from planes.words.names import full_mark_name, mu_name
+from planes.words.names import Mark, PlanId
 from planes.words.units import standard_mu
 
 TIME_AXIS_LENGTH_MM = 156.0  # length of the whole turn on the time axis
@@ -39,7 +39,7 @@ class Stage:
     """One diagram of a construction: its ``rank`` (0 position, 1 velocity, 2 acceleration), μ (mm per SI unit), its
     pole distance (None: no pole), and its points: (half sections from the start, label)."""
 
-    plan: str
+    plan: PlanId
     rank: int
     mu: float
     pole_mm: float | None
@@ -94,54 +94,38 @@ class Construction:
         d.add_given(TIME_SCALE_NAME, self.time_scale)
         d.add_given(PAPER_SCALE_NAME, 1.0)
 
-    def draw_axes_and_pole(self, plan: str, mu: float, pole_mm: float | None) -> None:
+    def draw_axes_and_pole(self, plan: PlanId, mu: float, pole_mm: float | None) -> None:
         """The origin of a diagram, and its pole."""
         d = self.draft
-        d.add_step(Put(full_mark_name(plan, "o")))
-        d.add_given(mu_name(plan), mu)
+        d.add_step(Put(plan.mark("o")))
+        d.add_given(plan.mu_name, mu)
         d.add_step(
             LayOff(
-                full_mark_name(plan, "t"),
-                full_mark_name(plan, "o"),
+                *plan.marks("t", "o"),
                 TIME_AXIS_DIRECTION,
                 d.add_given("t_whole", self.motion.time[-1]),
                 TIME_SCALE_NAME,
             )
         )
         if pole_mm is not None:
-            d.add_step(
-                LayOff(
-                    full_mark_name(plan, "P"),
-                    full_mark_name(plan, "o"),
-                    "←",
-                    d.add_given(f"H_{plan}", pole_mm),
-                    PAPER_SCALE_NAME,
-                )
-            )
+            d.add_step(LayOff(*plan.marks("P", "o"), "←", d.add_given(f"H_{plan}", pole_mm), PAPER_SCALE_NAME))
 
-    def foot_on_axis(self, plan: str, half: int) -> str:
+    def foot_on_axis(self, plan: PlanId, half: int) -> Mark:
         """The point of the axis at so many half sections from the origin: the axis is divided into equal parts."""
         part = self.draft.add_given(f"part_{half}", complex(half / (2 * self.motion.section_count)))
-        return self.draft.add_step(
-            Similar(full_mark_name(plan, f"t{half}"), full_mark_name(plan, "o"), full_mark_name(plan, "t"), part)
-        )
+        return self.draft.draw_mark(Similar(*plan.marks(f"t{half}", "o"), plan.mark("t"), part))
 
-    def read_ordinate(self, plan: str, half: int, label: str) -> None:
+    def read_ordinate(self, plan: PlanId, half: int, label: str) -> None:
         """Read the ordinate of a point."""
         self.draft.measure_segment(
-            _reading_name(plan, label),
-            self.foot_on_axis(plan, half),
-            full_mark_name(plan, label),
-            ORDINATE_AXIS_DIRECTION,
+            _reading_name(plan, label), self.foot_on_axis(plan, half), plan.mark(label), ORDINATE_AXIS_DIRECTION
         )
 
-    def lay_off_curve_point(self, plan: str, half: int, label: str, value: float) -> None:
+    def lay_off_curve_point(self, plan: PlanId, half: int, label: str, value: float) -> None:
         """A point of a given curve."""
         name = self.draft.add_given(f"y_{plan}_{label}", value)
         self.draft.add_step(
-            LayOff(
-                full_mark_name(plan, label), self.foot_on_axis(plan, half), ORDINATE_AXIS_DIRECTION, name, mu_name(plan)
-            )
+            LayOff(plan.mark(label), self.foot_on_axis(plan, half), ORDINATE_AXIS_DIRECTION, name, plan.mu_name)
         )
 
     def lay_off_diagram(self, stage: Stage, values: Sequence[float]) -> None:
@@ -157,15 +141,13 @@ class Construction:
             self.read_ordinate(stage.plan, half, label)
         self.stages.append(stage)
 
-    def carry_ordinate(self, plan: str, source: str, half: int, label: str) -> None:
+    def carry_ordinate(self, plan: PlanId, source: Mark, half: int, label: str) -> None:
         """A point above a foot, at the height of a mark on the axis of ordinates: the ordinate carried with
         dividers."""
-        self.draft.add_step(
-            Carry(full_mark_name(plan, label), self.foot_on_axis(plan, half), full_mark_name(plan, "o"), source)
-        )
+        self.draft.add_step(Carry(plan.mark(label), self.foot_on_axis(plan, half), plan.mark("o"), source))
 
 
-def _reading_name(plan: str, label: str) -> str:
+def _reading_name(plan: PlanId, label: str) -> str:
     return f"read_{plan}_{label}"
 
 
@@ -174,17 +156,17 @@ def differentiate_graphically(motion: Motion, pole_mm: float | None = None) -> C
     ends."""
     c = Construction(motion, "differentiation")
     place = motion.ends[0]
-    plan = "diagram:s"
+    plan = PlanId("diagram", "s")
     mu = standard_mu(max(place) - min(place), LARGEST_ORDINATE_MM)
     c.draw_axes_and_pole(plan, mu, None)
     points = tuple((2 * k, str(k)) for k in range(motion.section_count + 1))
     c.lay_off_diagram(Stage(plan, 0, mu, None, points, True), [value - place[0] for value in place])
-    for rank, nxt in ((1, "diagram:v"), (2, "diagram:a")):
+    for rank, nxt in ((1, PlanId("diagram", "v")), (2, PlanId("diagram", "a"))):
         _draw_derivative_diagram(c, nxt, rank, pole_mm)
     return c
 
 
-def _draw_derivative_diagram(c: Construction, plan: str, rank: int, pole_mm: float | None) -> None:
+def _draw_derivative_diagram(c: Construction, plan: PlanId, rank: int, pole_mm: float | None) -> None:
     """The next diagram: rays parallel to the chords, their intercepts carried to the middles between points."""
     d = c.draft
     before = c.stages[-1]
@@ -197,23 +179,13 @@ def _draw_derivative_diagram(c: Construction, plan: str, rank: int, pole_mm: flo
     for (one, first), (two, second) in pairwise(before.points):
         half = (one + two) // 2
         label = _point_label((one + two) // 2)
-        chord = d.add_step(
-            Through(f"{source}:{first}–{second}", full_mark_name(source, first), full_mark_name(source, second))
-        )
-        d.add_step(
-            Cross(
-                full_mark_name(plan, f"h{label}"),
-                full_mark_name(plan, "P"),
-                chord,
-                full_mark_name(plan, "o"),
-                ORDINATE_AXIS_DIRECTION,
-            )
-        )
-        c.carry_ordinate(plan, full_mark_name(plan, f"h{label}"), half, label)
+        chord = d.add_step(Through(*source.marks(f"{first}–{second}", first), source.mark(second)))
+        d.add_step(Cross(*plan.marks(f"h{label}", "P"), chord, plan.mark("o"), ORDINATE_AXIS_DIRECTION))
+        c.carry_ordinate(plan, plan.mark(f"h{label}"), half, label)
         made.append((half, label))
     if c.motion.closed and rank == 1:  # the last middle again, one turn earlier: the chord over the start needs it
         half = -1
-        c.carry_ordinate(plan, full_mark_name(plan, f"h{made[-1][1]}"), half, _point_label(half))
+        c.carry_ordinate(plan, plan.mark(f"h{made[-1][1]}"), half, _point_label(half))
         made.insert(0, (half, _point_label(half)))
     c.read_drawn_diagram(Stage(plan, rank, mu, pole, tuple(made), False))
 
@@ -237,29 +209,24 @@ def integrate_graphically(motion: Motion, pole_mm: float | None = None) -> Const
     """The acceleration integrated twice, from rest at the start: velocities, then positions at the ends of sections."""
     c = Construction(motion, "integration")
     values = motion.middles[2]
-    plan = "diagram:a"
+    plan = PlanId("diagram", "a")
     mu = standard_mu(max(map(abs, values)), LARGEST_ORDINATE_MM)
     pole = pole_mm or _shortest_pole_distance(c, mu, motion.ends[1])
     c.draw_axes_and_pole(plan, mu, pole)
     middles = tuple((half, _point_label(half)) for half in range(1, 2 * motion.section_count, 2))
     c.lay_off_diagram(Stage(plan, 2, mu, pole, middles, True), values)
-    _draw_integral_diagram(c, middles, "diagram:v", 1, motion.ends[1][0])
-    plan = "diagram:v"
+    _draw_integral_diagram(c, middles, PlanId("diagram", "v"), 1, motion.ends[1][0])
+    plan = PlanId("diagram", "v")
     mu = c.stages[-1].mu
     for k, (_, label) in enumerate(middles):
         c.draft.add_step(
-            Similar(
-                full_mark_name(plan, label),
-                full_mark_name(plan, str(k)),
-                full_mark_name(plan, str(k + 1)),
-                c.draft.add_given("half", 0.5 + 0j),
-            )
+            Similar(*plan.marks(label, str(k)), plan.mark(str(k + 1)), c.draft.add_given("half", 0.5 + 0j))
         )
     second = pole_mm or _shortest_pole_distance(c, mu, [s - motion.ends[0][0] for s in motion.ends[0]])
     name = c.draft.add_given(f"H_{plan}", second)
-    c.draft.add_step(LayOff(full_mark_name(plan, "P"), full_mark_name(plan, "o"), "←", name, PAPER_SCALE_NAME))
+    c.draft.add_step(LayOff(*plan.marks("P", "o"), "←", name, PAPER_SCALE_NAME))
     c.stages[-1] = Stage(plan, 1, mu, second, c.stages[-1].points, False)
-    _draw_integral_diagram(c, middles, "diagram:s", 0)
+    _draw_integral_diagram(c, middles, PlanId("diagram", "s"), 0)
     return c
 
 
@@ -270,7 +237,7 @@ def _shortest_pole_distance(c: Construction, mu: float, sums: Sequence[float]) -
 
 
 def _draw_integral_diagram(
-    c: Construction, middles: Sequence[tuple[int, str]], plan: str, rank: int, start: float = 0.0
+    c: Construction, middles: Sequence[tuple[int, str]], plan: PlanId, rank: int, start: float = 0.0
 ) -> None:
     """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
     d = c.draft
@@ -280,22 +247,13 @@ def _draw_integral_diagram(
     mu = before.mu * c.time_scale / before.pole_mm
     c.draw_axes_and_pole(plan, mu, None)
     c.lay_off_curve_point(plan, 0, "0", start)
-    end = full_mark_name(plan, "0")
+    end = plan.mark("0")
     made = [(0, "0")]
     for k, (half, label) in enumerate(middles):
-        d.add_step(
-            Carry(
-                full_mark_name(source, f"h{label}"),
-                full_mark_name(source, "o"),
-                c.foot_on_axis(source, half),
-                full_mark_name(source, label),
-            )
-        )
-        ray = d.add_step(
-            Through(f"{source}:P–{label}", full_mark_name(source, "P"), full_mark_name(source, f"h{label}"))
-        )
-        end = d.add_step(
-            Cross(full_mark_name(plan, str(k + 1)), end, ray, c.foot_on_axis(plan, 2 * k + 2), ORDINATE_AXIS_DIRECTION)
+        d.add_step(Carry(*source.marks(f"h{label}", "o"), c.foot_on_axis(source, half), source.mark(label)))
+        ray = d.add_step(Through(source.mark(f"P–{label}"), *source.marks("P", f"h{label}")))
+        end = d.draw_mark(
+            Cross(plan.mark(str(k + 1)), end, ray, c.foot_on_axis(plan, 2 * k + 2), ORDINATE_AXIS_DIRECTION)
         )
         made.append((2 * k + 2, str(k + 1)))
     c.read_drawn_diagram(Stage(plan, rank, mu, None, tuple(made), False))

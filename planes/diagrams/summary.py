@@ -15,7 +15,7 @@ from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
-from planes.words.names import component_axis, letter_of, name_index
+from planes.words.names import NameTuple, component_axis, letter_of, name_index
 
 EQUAL_CURVES_RATIO = 1e-12
 
@@ -24,7 +24,7 @@ EQUAL_CURVES_RATIO = 1e-12
 class CurveSummary:
     """A curve (or several equal ones: ``names``) with its least and greatest values, one number if it is constant."""
 
-    names: tuple[str, ...]
+    names: NameTuple
     unit: str
     group: str
     least: Extreme
@@ -78,7 +78,7 @@ class Summary:
     scene: Scene
     plans: Plans
     grid: Grid
-    names: tuple[str, ...] = ()
+    names: NameTuple = ()
 
     @cached_property
     def extremes_by_curve(self) -> dict[str, list[Extreme]]:

@@ -14,7 +14,7 @@ from planes.scene.files import save_file_or_refuse
 from planes.solving import Position, solve_position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure
-from planes.words.names import POLE_LABEL, plan_kind
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, PlanId
 from planes.words.waiting import progress_bar
 from render.files import moving
 from render.labels import place_labels
@@ -84,7 +84,7 @@ def positions_over_turn(scene: Scene, frames: int, lang: Lang) -> tuple[list[Pos
 def common_scales(scene: Scene, values: Sequence[float]) -> dict[str, float | None]:
     """The μ of each kind of plan: the largest standard one with which it fits in all positions."""
     plans = scene_plans(scene)
-    sizes = dict[str, float]()
+    sizes = dict[PlanId, float]()
     for value in values:
         try:
             drawing = drawn_in_si(plans, plans.drive_givens_at(value)[plans.drive_given_name])
@@ -93,7 +93,7 @@ def common_scales(scene: Scene, values: Sequence[float]) -> dict[str, float | No
         for plan in plans.plan_names:
             if plan != "lever":
                 sizes[plan] = max(sizes.get(plan, 0.0), *plan_width_and_height(drawing, plan))
-    largest = {plan_kind(plan): sizes[leader] for plan, leader in scale_leaders(sizes).items() if sizes[leader]}
+    largest = {plan.kind: sizes[leader] for plan, leader in scale_leaders(sizes).items() if sizes[leader]}
     return {kind: largest_fitting_scale(kind, size, PLAN_FIT_MM[kind]) for kind, size in largest.items()}
 
 
@@ -118,8 +118,8 @@ def figure_bounds(views: Sequence[View]) -> Bounds:
 
 
 def figure_origins_and_size(
-    cells: Mapping[str, Bounds], columns: int
-) -> tuple[dict[str, complex], tuple[float, float]]:
+    cells: Mapping[PlanId, Bounds], columns: int
+) -> tuple[dict[PlanId, complex], tuple[float, float]]:
     """The origin of each figure, with so many in a row; and the size of the whole."""
     names = list(cells)
     corners = {}
@@ -139,7 +139,7 @@ def figure_origins_and_size(
 
 
 def frame_marks(
-    frame: Mapping[str, View], cells: Mapping[str, Bounds], places: Mapping[str, complex]
+    frame: Mapping[PlanId, View], cells: Mapping[PlanId, Bounds], places: Mapping[PlanId, complex]
 ) -> Iterator[Mark]:
     """The marks of one frame, each figure in its place under its title."""
     for name, one in frame.items():
@@ -149,14 +149,14 @@ def frame_marks(
         yield from (move_mark(mark, places[name]) for mark in one.body)
 
 
-def figure_names(drawn: Sequence[Position]) -> list[str]:
+def figure_names(drawn: Sequence[Position]) -> list[PlanId]:
     """The scheme, and the first plan of each kind in the position that shows most of them."""
     plans = max((drawn_plans(plot_position(one), one) for one in drawn), key=len)
-    kinds = {plan_kind(plan): plan for plan in reversed(plans)}
-    return ["position", *(kinds[kind] for kind in ("velocity", "acceleration", "force") if kind in kinds)]
+    kinds = {plan.kind: plan for plan in reversed(plans)}
+    return [SCHEME_PLAN, *(kinds[kind] for kind in ("velocity", "acceleration", "force") if kind in kinds)]
 
 
-def figure_view(composer: Composer, drawn: Position, name: str) -> View:
+def figure_view(composer: Composer, drawn: Position, name: PlanId) -> View:
     """The scheme, or a plan without details and construction lines, about its origin or pole."""
     plotted = plot_position(drawn)
     if name == "position":
@@ -167,7 +167,7 @@ def figure_view(composer: Composer, drawn: Position, name: str) -> View:
     return make_view(name, title, polygon_marks(plotted, name, composer), True)
 
 
-def polygon_marks(plotted: Plotted, plan: str, composer: Composer) -> Iterator[Mark]:
+def polygon_marks(plotted: Plotted, plan: PlanId, composer: Composer) -> Iterator[Mark]:
     """The vectors of a plan with their names."""
     polygon = Polygon(plotted, plan, composer.naming)
     polygon.collect_vectors()

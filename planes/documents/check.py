@@ -30,7 +30,7 @@ from planes.solving import solve_position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
 from planes.words.formats import DRAWING_SUFFIXES, SUFFIXES_WITH_PICTURE
-from planes.words.names import POLE_LABEL, NameTuple, component_ending_at, plan_kind
+from planes.words.names import POLE_LABEL, NameTuple, component_ending_at
 from planes.words.naming import Naming
 from planes.words.units import mu_text
 from render.files import Page, pdf
@@ -60,14 +60,12 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     own = mark or SheetMark.from_asked(bench.asked)
     mark = replace(own, mu=own.mu or bench.said_mu, pole=blank_pole(bench))
     title = asked.scene.title.get(lang, "") or asked.scene.file
-    mu = with_minus_and_decimal_sign(
-        mu_text(bench.said_mu, plan_kind(asked.plan), lang, asked.scene.mu_convention), lang
-    )
+    mu = with_minus_and_decimal_sign(mu_text(bench.said_mu, bench.kind, lang, asked.scene.mu_convention), lang)
     squares = [(z, corner_mark_cells(k), MARK_SIDE_MM) for k, z in enumerate(corner_mark_centres(SHEET_MM))]
     squares.append((code_centre(), code_cells(mark.printed_text), CODE_SIDE_MM))
-    texts = [f"{plan_title(asked.plan, lang)}, μ = {mu}", title, *(more or _owner_lines(asked, mark, lang))]
+    texts = [f"{plan_title(bench.plan, lang)}, μ = {mu}", title, *(more or _owner_lines(asked, mark, lang))]
     fields = [] if mark.student else [say("check_blank_name", lang), say("check_blank_group", lang)]
-    pole = (Naming(lang).mark(POLE_LABEL, plan_kind(asked.plan)), blank_pole(bench))
+    pole = (Naming(lang).mark(POLE_LABEL, bench.kind), blank_pole(bench))
     size = say("check_print_size", lang)
     return blank_sheet.blank_sheet_marks(
         SHEET_MM, squares, pole, texts, size, fields, _given_data_lines(bench, lang)
@@ -78,7 +76,7 @@ def _given_data_lines(bench: PreparedPlan, lang: Lang) -> list[str]:
     """The data of the plan, with numbers that must not be broken across lines."""
     asked = bench.asked
     plans = bench.plans
-    cut = plans_cut_to_names(plans, [step.makes for step in plans.program.mark_steps_by_plan[asked.plan]])
+    cut = plans_cut_to_names(plans, [step.makes for step in plans.program.mark_steps_by_plan[bench.plan]])
     value = plans.drive.position if asked.value is None else asked.value
     at = solve_position(asked.scene, cut, [], value, None, lang)
     given_rows = given_data_table(asked.scene, at, lang).given_rows()
@@ -123,7 +121,7 @@ def _overlay_sheet_contents(outcome: Outcome, lang: Lang) -> check_sheet.Overlay
     """The contents of a sheet: both plans, the table and the sentence."""
     asked = outcome.bench.asked
     plans = outcome.bench.plans
-    kind = plan_kind(asked.plan)
+    kind = outcome.bench.kind
     naming = Naming(lang, **scene_lettering(asked.scene, plans))
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(outcome)}
 

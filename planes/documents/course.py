@@ -37,7 +37,7 @@ from planes.solving.document import Block
 from planes.solving.given import GIVEN_NUMBER_DIGITS
 from planes.words import Lang, Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NameTuple, NumbersByName, plan_kind
+from planes.words.names import NameTuple, NumbersByName
 from render.files import Page, pdf
 from render.page.lesson_page import whole_lesson_page
 from render.paper.letters import BRACKETED_NAME_PATTERN
@@ -173,7 +173,7 @@ class Desk:
 
     def blank(self) -> bytes:
         """A page for each plan."""
-        plans = [p for p in self.drawn_position.plans.plan_names if plan_kind(p) in self.order.plans]
+        plans = [p for p in self.drawn_position.plans.plan_names if p.kind in self.order.plans]
         lang = self.lang
         scene, variant, student = self.order.whose
         asked = [(Asked(self.scene, plan), SheetMark(scene, variant, student, plan)) for plan in plans]

@@ -22,7 +22,7 @@ from planes.documents.course import MadeDocuments, Order, files_of_scene, folder
 from planes.lesson.note import student_and_group
 from planes.scene import Scene, loads
 from planes.words import Lang, Phrase
-from planes.words.names import NameTuple, plan_kind
+from planes.words.names import NameTuple, PlanId
 from planes.words.naming import Naming
 from render.report import render_document
 
@@ -235,7 +235,7 @@ def shares_with_same_plans(given: Sequence[Share], settled: SettledShares, plans
             continue
         key = json.loads(answer.key)
         drawn = key.get("positions", [key])[0].get("plans", {})
-        asked = [drawn[name]["segments"] for name in drawn if plan_kind(name) in plans]
+        asked = [drawn[name]["segments"] for name in drawn if PlanId.read(name).kind in plans]
         numbers = json.dumps([share.assignment.name, asked or key])
         if numbers in seen and share.variant is None:
             yield share

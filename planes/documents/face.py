@@ -27,7 +27,7 @@ from planes.scene.parameters import require_finite_numbers
 from planes.scene.ranges import drive_positions_asked, driver_coordinate_asked
 from planes.solving.of_scene import AnyScene, scene_from
 from planes.words import Lang, home_lang
-from planes.words.names import NameTuple, plan_kind
+from planes.words.names import NameTuple, PlanId
 from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
@@ -136,7 +136,7 @@ def check(
     """
     scene = scene_from(scene)
     at = drive_positions_asked(scene, phi, s, False)
-    known_mu = None if mu is None else read_mu(mu, plan_kind(plan))
+    known_mu = None if mu is None else read_mu(mu, PlanId.read(plan).kind)
     answers = main_answer_names(scene, at, plan) if str(drawing).lower().endswith(TABLE_SUFFIXES) else ()
     asked = Asked(scene, plan, at, known_mu, answers=answers)
     known = Known(pole, dict(marks or {}), page=None if page is None else page - 1)

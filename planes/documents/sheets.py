@@ -17,7 +17,6 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.curves import FULL_TURN_DEG, WorkingRange, curves_by_name, driven_link_and_sliding, driven_link_curves
 from planes.plans.extents import plan_extent, plan_width_and_height
-from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.quantities import results_wanted
 from planes.plans.scales import largest_fitting_scale, plan_sizes
 from planes.scene import Scene
@@ -26,7 +25,7 @@ from planes.solving.nearest import nearest_working_position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.frozen import frozen, replace
-from planes.words.names import mu_name, plan_kind
+from planes.words.names import SCHEME_PLAN, NumbersByName
 from render.paper.hues import colour_vectors
 from render.paper.marks import using_face
 from render.paper.outlines import face_of_scene
@@ -130,7 +129,7 @@ class DrawnPosition:
     @property
     def has_open_scale(self) -> bool:
         """Whether the scene leaves the μ of any plan open."""
-        return any(self.scene.mu.get(plan_kind(p)) is None for p in self.plans_and_wanted[0].plan_names if p != "lever")
+        return any(self.scene.mu.get(p.kind) is None for p in self.plans_and_wanted[0].plan_names if p != "lever")
 
     def position_at_sizes(self, sizes: Sizes) -> Position:
         """The position at the scene's scales, or smaller where no paper holds its plans at these, each drawn once.
@@ -142,7 +141,7 @@ class DrawnPosition:
         return self.positions_by_factor[sizes.factor]
 
     @cached_property
-    def plan_sizes_mm(self) -> Mapping[str, float]:
+    def plan_sizes_mm(self) -> NumbersByName:
         """The size in mm that a sheet gives each kind of plan."""
         plans = self.plans_and_wanted[0]
         moved = plans.drive_givens_at(self.drive_position)
@@ -172,7 +171,7 @@ class DrawnPosition:
         """How many times larger the scheme with loads is than the other figures of links."""
         now = self.position_at_sizes(sizes)
         size = plan_extent(now.drawing, SCHEME_PLAN)
-        mu = now.scales[mu_name(SCHEME_PLAN)]
+        mu = now.scales[SCHEME_PLAN.mu_name]
         if sizes.factor_of_plan(LOADED_VIEW_KEY) == sizes.factor or not size:
             return 1.0
         mm = min(
@@ -184,7 +183,7 @@ class DrawnPosition:
         """The position with a separate, larger scheme: nothing is measured on it, so it may have a larger μ."""
         now = self.position_at_sizes(sizes)
         times = self.loaded_scheme_enlargement(sizes)
-        mu = times * now.scales[mu_name(SCHEME_PLAN)]
+        mu = times * now.scales[SCHEME_PLAN.mu_name]
         if times != 1.0 and mu not in self.positions_by_scheme_mu:
             self.positions_by_scheme_mu[mu] = self._draw_position(
                 self.plan_sizes_mm, replace(self.scene, mu={**self.scene.mu, SCHEME_PLAN: mu})
@@ -201,7 +200,7 @@ class DrawnPosition:
         open_mu = {kind: mu for kind, mu in self.scene.mu.items() if kind != "position"}
         return self._draw_position({**self.plan_sizes_mm, "position": mm}, replace(self.scene, mu=open_mu))
 
-    def _draw_position(self, fits: Mapping[str, float], scene: Scene | None = None) -> Position:
+    def _draw_position(self, fits: NumbersByName, scene: Scene | None = None) -> Position:
         plans, wanted = self.plans_and_wanted
         try:
             return solve_position(scene or self.scene, plans, wanted, self.drive_position, None, self.lang, fits)

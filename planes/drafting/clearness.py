@@ -10,11 +10,11 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Through
 from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Sense
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import Hold, TrackStep
 from planes.drafting.tools import Things, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.geometry.plane import squared_length
-from planes.words.names import Meaning, NamePair, plan_kind, plan_of
+from planes.words.names import MarkPair, Meaning, plan_of
 
 BLUNT_SHARPNESS = 0.1
 LEAST_CLEAR_SHARPNESS = 0.01
@@ -30,14 +30,14 @@ MOST_LENGTH_RATIO = 1e6
 _PLANS_REPEATING_SCHEME_LINES = ("velocity", "motion", "acceleration", "lever")
 
 
-def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterable[NamePair] = ()) -> Truth:
+def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterable[MarkPair] = ()) -> Truth:
     """Whether a drawing is clear, for one position, for many, or on a tape; and no force of ``sides`` (start, end)
     vanishes beside the largest of its plan."""
     ar = tool.ar
     scheme = 1.0
     forces = 1.0
     for name, sharpness in _sharpness_of_marks(program, tool).items():
-        plan = plan_kind(plan_of(name))
+        plan = plan_of(name).kind
         if plan == "force" and name not in program.trial_marks:
             forces = ar.minimum(forces, sharpness)
         elif plan not in (*_PLANS_REPEATING_SCHEME_LINES, "force"):
@@ -45,7 +45,7 @@ def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterab
     ok: Truth = (scheme >= LEAST_CLEAR_SHARPNESS) & (forces >= BLUNT_SHARPNESS * LEAST_CLEAR_SHARPNESS)
     rays = (s for s in program.steps if isinstance(s, Touch | Through) and s.makes not in program.vanishing_directions)
     for step in rays:
-        if plan_kind(plan_of(step.start)) not in _PLANS_REPEATING_SCHEME_LINES:
+        if step.start.plan.kind not in _PLANS_REPEATING_SCHEME_LINES:
             one = things[step.start]
             two = things[step.end]
             apart = squared_length(two - one)
@@ -59,22 +59,20 @@ def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterab
 
 def _sharpness_of_marks(program: Program, tool: Tool) -> dict[str, Real]:
     """The sharpness of every mark; marks cut by the same settled link count once."""
-    cut = {s.makes: s.holds for s in program.steps if isinstance(s, CutTrack)}
+    cut: dict[str, tuple[Hold, ...]] = {s.makes: s.holds for s in program.steps if isinstance(s, TrackStep)}
     first = {holds: name for name, holds in reversed(cut.items())}
     return {n: sharp for n, sharp in tool.sharpness.items() if n not in cut or first[cut[n]] == n}
 
 
-def _no_force_vanishes(program: Program, things: Things, tool: Tool, sides: Iterable[NamePair]) -> Truth:
+def _no_force_vanishes(program: Program, things: Things, tool: Tool, sides: Iterable[MarkPair]) -> Truth:
     """Whether no force vanishes, or nearly so, beside others."""
     ar = tool.ar
     ok = True
     largest = {}
     for start, end in sides:
-        plan = plan_of(start)
+        plan = start.plan
         if plan not in largest:
-            largest[plan] = reduce(
-                ar.maximum, (ar.size(things[s.makes]) for s in program.mark_steps_by_plan.get(plan, ())), 0.0
-            )
+            largest[plan] = reduce(ar.maximum, (ar.size(things[s.makes]) for s in program.mark_steps_on(plan)), 0.0)
         size = ar.size(things[end] - things[start])
         ok = ok & ((size > ZERO_FORCE_RATIO * largest[plan]) | (largest[plan] == 0))
     return ok

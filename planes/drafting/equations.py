@@ -11,7 +11,7 @@ from planes.drafting.steps.reckoning import Product
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
-from planes.words.names import Meaning, NamePair, NameTuple
+from planes.words.names import Meaning, NamePair, NameTuple, PlanId
 
 EquationKind = Literal["close", "cross", "arc", "arcs"]
 
@@ -62,7 +62,7 @@ class Equation:
     given ±1 that selects one of two crossings of arcs.
     """
 
-    plan: str
+    plan: PlanId
     chains: tuple[Chain, Chain]
     total: str | None = None
     side: str | None = None

@@ -9,7 +9,7 @@ from planes.geometry import plane
 from planes.geometry.arithmetic import Point as Complex
 from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
-from planes.words.names import NameTriple
+from planes.words.names import VELOCITY_PLAN, Mark, MarkTuple, PlanId
 
 PLAN_DERIVATIVE_ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
 
@@ -20,14 +20,14 @@ class Point:
     plans."""
 
     local: complex
-    marks: tuple[str, ...]
+    marks: MarkTuple
 
     @property
-    def scheme_mark_of_point(self) -> str:
+    def scheme_mark_of_point(self) -> Mark:
         """Its mark on the scheme."""
         return self.marks[0]
 
-    def mark_on_plan(self, plan: str) -> str:
+    def mark_on_plan(self, plan: PlanId) -> Mark:
         """Its mark on a plan."""
         return self.marks[PLAN_DERIVATIVE_ORDER[plan]]
 
@@ -42,7 +42,7 @@ class LinkMotion:
     omega: str = ""
     epsilon: str = ""
 
-    def distance_from_rigid_place(self, plan: str, shown: Facts, point: Point) -> Complex:
+    def distance_from_rigid_place(self, plan: PlanId, shown: Facts, point: Point) -> Complex:
         """The distance of a point, on the plan and in SI, from its place as a point of this link."""
         vector = shown.vector_between_marks(self.origin.mark_on_plan(plan), point.mark_on_plan(plan))
         if plan == "position":
@@ -51,11 +51,11 @@ class LinkMotion:
             self.origin.scheme_mark_of_point, point.scheme_mark_of_point
         )
 
-    def spin(self, plan: str, shown: Facts) -> Complex:
+    def spin(self, plan: PlanId, shown: Facts) -> Complex:
         """iω, or iε - ω²: the relative velocity or acceleration of a point divided by its distance."""
         return shown.computed_once((self.omega, self.epsilon, plan), lambda: self._compute_rotation_factor(plan, shown))
 
-    def _compute_rotation_factor(self, plan: str, shown: Facts) -> Complex:
+    def _compute_rotation_factor(self, plan: PlanId, shown: Facts) -> Complex:
         omega = shown[self.omega] if self.omega else 0.0
         if plan == "velocity":
             return 1j * omega
@@ -100,8 +100,8 @@ class Slid(Proof):
         along = self.turn * (shown[self.owner.axis] if self.owner.axis else 1.0)
         relative = self.owner.distance_from_rigid_place(self.plan, shown, self.slider)
         if self.plan == "acceleration":
-            sliding = self.owner.distance_from_rigid_place("velocity", shown, self.slider)
-            relative = relative - self.owner.spin("velocity", shown) * (2 * sliding)
+            sliding = self.owner.distance_from_rigid_place(VELOCITY_PLAN, shown, self.slider)
+            relative = relative - self.owner.spin(VELOCITY_PLAN, shown) * (2 * sliding)
         across = plane.cross(along, relative)
         return [across - self.offset if self.plan == "position" else across]
 
@@ -119,14 +119,14 @@ class Balanced(Proof):
     """All forces on a link have zero sum and zero moment: ``forces`` (size, direction, point), sides of ``reactions``
     (start, end, ±1, point, couple), ``couples`` (value, ±1)."""
 
-    forces: tuple[NameTriple, ...]
-    reactions: tuple[tuple[str, str, int, str, str], ...]
+    forces: tuple[tuple[str, str, Mark], ...]
+    reactions: tuple[tuple[Mark, Mark, int, Mark, str], ...]
     couples: tuple[tuple[str, int], ...]
     reason = "link_unbalanced"
 
     def residuals(self, shown: Facts) -> list[Complex]:
         """The sum of the forces, and the moments about the pole divided by the largest distance from it."""
-        at: dict[str, Complex] = {}
+        at: dict[Mark, Complex] = {}
         for force, sign, point in self._acting_forces(shown):
             before = at.get(point, 0.0)
             at[point] = before + force if sign > 0 else before - force
@@ -139,7 +139,7 @@ class Balanced(Proof):
     def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
         yield from (shown.ar.size(force) for force, _, _ in self._acting_forces(shown))
 
-    def _acting_forces(self, shown: Facts) -> Iterator[tuple[Complex, int, str]]:
+    def _acting_forces(self, shown: Facts) -> Iterator[tuple[Complex, int, Mark]]:
         """The forces, each with its sign and its point of application."""
         yield from (
             (shown.vector_between_marks(start, end), sign, point) for start, end, sign, point, _ in self.reactions

@@ -4,13 +4,13 @@ from collections.abc import Container, Iterable
 from functools import cached_property
 
 from planes.drafting.proofs import Proof, Twofold
-from planes.drafting.steps import Kind, LayOff, Step, Through, Turn
+from planes.drafting.steps import Kind, LayOff, MarkStep, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase
 from planes.words.errors import ProgramError, list_valid_choices
 from planes.words.frozen import field, frozen
-from planes.words.names import NameTuple, plan_of
+from planes.words.names import Mark, NameTuple, PlanId
 
 StepsOf = dict[str, list[Step]]
 
@@ -56,13 +56,17 @@ class Program:
         return tuple(dict.fromkeys(n for n in names if n not in self.result_names))
 
     @cached_property
-    def mark_steps_by_plan(self) -> StepsOf:
+    def mark_steps_by_plan(self) -> dict[PlanId, list[MarkStep]]:
         """The steps that draw marks, by their plan: position, velocity, acceleration, force:2-3, …, force:1."""
-        marks: StepsOf = {}
+        marks: dict[PlanId, list[MarkStep]] = {}
         for step in self.steps:
-            if step.kind == "mark":
-                marks.setdefault(plan_of(step.makes), []).append(step)
+            if isinstance(step, MarkStep):
+                marks.setdefault(step.plan, []).append(step)
         return marks
+
+    def mark_steps_on(self, plan: PlanId) -> list[MarkStep]:
+        """The steps that draw the marks of a plan."""
+        return self.mark_steps_by_plan.get(plan, [])
 
     @cached_property
     def trial_marks(self) -> frozenset[str]:
@@ -92,7 +96,7 @@ class Program:
         grow = all(isinstance(s, LayOff) and self._is_proportional_to_distance(s.length, ends) for s in laid)
         return bool(laid) and grow and all(isinstance(s, Turn) for s in turns)
 
-    def _is_proportional_to_distance(self, value: str, ends: set[str]) -> bool:
+    def _is_proportional_to_distance(self, value: str, ends: set[Mark]) -> bool:
         """Whether every part of a value has the distance of two marks as a factor."""
         made = self.steps_by_result.get(value)
         terms = made.terms if isinstance(made, Calculate) else ()

@@ -6,7 +6,7 @@ stated vectors) or with a second way to the same number (the balancing load from
 """
 
 from collections.abc import Callable, Iterator
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any, ClassVar, TypeVar
 
 from planes.drafting.steps.reckoning import Product
@@ -14,11 +14,11 @@ from planes.drafting.tools import AskedFor, Thing, Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words.frozen import field, frozen
-from planes.words.names import NameTuple, mu_name, plan_of
+from planes.words.names import Mark, MarkTuple, PlanId
 
 Made = TypeVar("Made")
 MOST_AGREEMENT_GAP_RATIO = 1e-9  # relative: within this, two ways to a number agree
-VectorRow = tuple[str, str, str, int, str]  # its start and end, its direction, its sign, its length
+VectorRow = tuple[Mark, Mark, str, int, str]  # its start and end, its direction, its sign, its length
 
 
 @frozen
@@ -38,15 +38,15 @@ class Facts:
             self.known[key] = make()
         return self.known[key]  # type: ignore[no-any-return]
 
-    def mark(self, name: str) -> Point:
+    def mark(self, name: Mark) -> Point:
         """The quantity of a mark, in SI."""
-        return self.things[name] / self.things[_scale_of_mark(name)]
+        return self.things[name] / self.things[name.plan.mu_name]
 
-    def mark_magnitude(self, mark: str) -> Real:
+    def mark_magnitude(self, mark: Mark) -> Real:
         """Its magnitude."""
         return self.computed_once((mark, "size"), lambda: self.ar.size(self.mark(mark)))
 
-    def vector_between_marks(self, start: str, end: str) -> Point:
+    def vector_between_marks(self, start: Mark, end: Mark) -> Point:
         """The vector from one mark to another, in SI."""
         return self.computed_once((start, end, "vector"), lambda: self.mark(end) - self.mark(start))
 
@@ -59,9 +59,9 @@ class Facts:
 class Proof:
     """A condition that must hold, on ``plan``; ``about`` names its subject."""
 
-    plan: str
+    plan: PlanId
     about: str
-    beside: NameTuple = field(default=(), kw_only=True)  # the marks that drive its plan: the scale of speeds
+    beside: MarkTuple = field(default=(), kw_only=True)  # the marks that drive its plan: the scale of speeds
     reason: ClassVar[str]
     makes: ClassVar[str] = ""  # a position that fails it gives no results at all
 
@@ -140,8 +140,3 @@ class VectorProof(Proof):
     def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
         yield from map(shown.mark_magnitude, dict.fromkeys(mark for row in self.rows for mark in row[1::-1]))
         yield from (abs(shown[length]) for length in dict.fromkeys(row[4] for row in self.rows if row[4]))
-
-
-@lru_cache(4096)
-def _scale_of_mark(mark: str) -> str:
-    return mu_name(plan_of(mark))

@@ -9,7 +9,7 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words import Phrase, Told
 from planes.words.errors import PlanFailure
 from planes.words.lettering import line_in_words, name_in_words
-from planes.words.units import UNIT_OF_PLAN
+from planes.words.names import UNIT_OF_PLAN
 
 FAILED_MARK_PLACE = complex("nan+nanj")  # placeholder for a failed mark of many drawings
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
@@ -129,7 +129,7 @@ def names_for_step_sentence(step: Step) -> dict[str, Told]:
     words = {name: name_in_words(value) for name, value in named.items()}
     for line, along, start in (("line", "along", "start"), ("other_line", "across", "other")):
         if along in named and start in named:
-            words[line] = line_in_words(named[along], named[start])
+            words[line] = line_in_words(named[along], getattr(step, start))
     if "mu" in named:
         words["unit"] = Phrase(UNIT_OF_PLAN.get(named["mu"][len("mu_") :], "units"))
     return words

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from planes.drafting.drawing import Drawing
-from planes.drafting.steps import Put, Step
+from planes.drafting.steps import MarkStep, Put, Step
 from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
@@ -28,16 +28,18 @@ from planes.plans.force.derived import unit_key_of_value
 from planes.plans.force.reactions import Reaction
 from planes.words import Phrase, Told, Written
 from planes.words.names import (
+    ACCELERATION_PLAN,
+    LEVER_PLAN,
     POLE_LABEL,
+    SCHEME_PLAN,
+    VELOCITY_PLAN,
+    MarkTuple,
     NamePair,
     NameTriple,
     NameTuple,
-    full_mark_name,
-    label_of,
+    PlanId,
     letter_of,
-    mu_name,
     name_without_plan,
-    plan_kind,
     plan_of,
 )
 from planes.words.units import Convention
@@ -64,8 +66,10 @@ class Teller:
             p: [s.makes for s in own if s.makes not in self.trials]
             for p, own in drawing.program.mark_steps_by_plan.items()
         }
-        self.ends = {own[-1] for plan, own in drawn.items() if plan_kind(plan) == "force"}
-        self.still = {p for p in ("velocity", "acceleration") if p in plans.plan_names and self.plan_is_at_pole(p)}
+        self.ends = {own[-1] for plan, own in drawn.items() if plan.is_force}
+        self.still = {
+            p for p in (VELOCITY_PLAN, ACCELERATION_PLAN) if p in plans.plan_names and self.plan_is_at_pole(p)
+        }
         self.reckoning = Reckoning(plans, self.made, convention)
         self.words = (StepWords if plans.has_mechanism else StatedWords)(plans, drawing, self.made)
         self.solved = {} if plans.has_mechanism else equations_by_last_mark(plans)
@@ -74,10 +78,10 @@ class Teller:
 
     def lesson_frames(self) -> list[Frame]:
         """All frames, in drawing order."""
-        put: list[Step] = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
+        put = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
         names = ", ".join(f"⟨{name_without_plan(p.makes)}⟩" for p in put if not p.is_auxiliary_mark)
         key = "points" if self.plans.figure else "fixed"
-        frames = [self.make_frame(key, "position", tuple(p.makes for p in put), names=names)] if put else []
+        frames = [self.make_frame(key, SCHEME_PLAN, tuple(p.makes for p in put), names=names)] if put else []
         readings = []
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
@@ -113,7 +117,7 @@ class Teller:
             ordered.append(f)
         return with_chapters(with_zero_vector_sentences(ordered, self.plans))
 
-    def plan_is_at_pole(self, plan: str) -> bool:
+    def plan_is_at_pole(self, plan: PlanId) -> bool:
         """Whether every mark of a plan is at its pole in every position: there is nothing to draw."""
         own = self.drawing.program.mark_steps_by_plan[plan]
         return all(not size >= 1e-6 for step in own for size in as_positions(abs(self.cycle[step.makes])))
@@ -121,17 +125,13 @@ class Teller:
     def has_own_frame(self, step: Step) -> bool:
         """Whether a step has its own frame."""
         drawn = isinstance(step, Touch) or step.kind == "mark"
-        return (
-            drawn
-            and step.makes != full_mark_name("position", POLE_LABEL)
-            and plan_showing_step(step) not in {"motion", *self.still}
-        )
+        return drawn and step.makes != SCHEME_PLAN.pole and plan_showing_step(step) not in {"motion", *self.still}
 
     def make_frame(
         self,
         key: str,
-        plan: str,
-        makes: NameTuple = (),
+        plan: PlanId,
+        makes: MarkTuple = (),
         uses: NameTuple = (),
         reason: Told = "",
         terms: NameTuple | None = None,
@@ -143,7 +143,7 @@ class Teller:
         numbers."""
         index, equation_terms = self.equation_and_terms(plan, makes)
         own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT_PATTERN.finditer(said))
-        scale = [("k", mu_name(plan))] if key in ("pole", "fixed", "points") else []
+        scale = [("k", plan.mu_name)] if key in ("pole", "fixed", "points") else []
         numbers = (*scale, *own, *(n for row in rows for n in row.slots_of_numbers()))
         mu = Written(partial(plan_scale_text, plan, convention=self.convention))
         lines = "; ".join(f"⟪{rows.index(row)}⟫" for row in rows)
@@ -152,16 +152,16 @@ class Teller:
         in_hand = equation_terms if terms is None else terms
         return Frame(key, plan, makes, uses, index, in_hand, marked, why, moments, rows=rows, numbers=numbers)
 
-    def equation_and_terms(self, plan: str, makes: NameTuple) -> tuple[int | None, NameTuple]:
+    def equation_and_terms(self, plan: PlanId, makes: MarkTuple) -> tuple[int | None, NameTuple]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
-        labels = {label_of(m) for m in makes} - {POLE_LABEL}
+        labels = {m.label for m in makes} - {POLE_LABEL}
         for index, equation in enumerate(self.plans.equations):
             terms = tuple(
                 displayed_term_name(equation, t.name) for t in equation.all_terms if t.end in labels and not t.drawn
             )
             if equation.plan == plan and terms:
                 return index, terms
-        own = self.plans.segments_by_plan.get(plan, ())
+        own = self.plans.segments_on(plan)
         return None, tuple([e.name for e in own if e.end in labels and e.start == POLE_LABEL][:1])
 
     def mark(self, step: Step) -> Frame:
@@ -170,7 +170,7 @@ class Teller:
         uses = tuple(name for name in read if plan_of(name) != "motion")
         fields = {f: name_without_plan(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         key, reason, more = self.words.words_of_step(step)
-        makes = () if isinstance(step, Touch) else (step.makes,)
+        makes = (step.makes,) if isinstance(step, MarkStep) else ()
         return self.make_frame(
             key,
             plan_showing_step(step),
@@ -196,7 +196,7 @@ class Teller:
                 frames.append(self.measurement_frame(last.plan, rates, before))
         return frames + [f for v in values if v.makes in self.moments for f in self.moment_equation_frames(v)]
 
-    def measurement_frame(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
+    def measurement_frame(self, plan: PlanId, rates: list[Calculate], before: list[Frame]) -> Frame:
         """The measurements on a velocity or acceleration plan after an equation is solved, and the angular values from
         them."""
         own = [f for f in before if f.plan == plan]
@@ -206,7 +206,7 @@ class Teller:
         return self.measured_segments_frame("measured", plan, names, rates)
 
     def measured_segments_frame(
-        self, key: str, plan: str, names: Sequence[str], rates: Sequence[Calculate] = ()
+        self, key: str, plan: PlanId, names: Sequence[str], rates: Sequence[Calculate] = ()
     ) -> Frame:
         """Measured segments of a plan, and velocities or accelerations with their formula and sense."""
         rows = (*(self.measured_segment_row(n, plan) for n in names), *map(self.value_row, rates))
@@ -220,22 +220,22 @@ class Teller:
             rate, unit_key="" if self.plans.has_mechanism else unit_key_of_value(rate.makes), turns=turns
         )
 
-    def segment_ends(self, name: str, plan: str) -> NamePair | tuple[()]:
+    def segment_ends(self, name: str, plan: PlanId) -> NamePair | tuple[()]:
         """The ends of the segment of that name."""
-        own = self.plans.segments_by_plan.get(plan, ())
+        own = self.plans.segments_on(plan)
         return next((x.ends for x in own if x.name == name and x.start != x.end), ())
 
-    def measured_segment_row(self, name: str, plan: str) -> Row:
+    def measured_segment_row(self, name: str, plan: PlanId) -> Row:
         """A measured segment: its millimetres and its value."""
         span = self.segment_ends(name, plan)
         if not span:
             return Row(name, "", "", "")
         read = f"‖{name}‖"
-        mu = mu_name(plan)
+        mu = plan.mu_name
         self.spans[read] = (*span, mu)
         return self.reckoning.measured_length_row(name, read, mu, value_slot(read))
 
-    def closing_frames(self, plan: str) -> list[Frame]:
+    def closing_frames(self, plan: PlanId) -> list[Frame]:
         """The reactions read from a closed force polygon, those inside the group each with the link it closes."""
         links = [(one, one.reactions[one.force][0].key) for one in links_with_own_polygon(self.plans, plan)]
         inside = {key for _, key in links}
@@ -252,7 +252,7 @@ class Teller:
             )
         return frames + [self.friction_frame(plan, r) for r in reactions if r.power in self.made]
 
-    def friction_frame(self, plan: str, r: Reaction) -> Frame:
+    def friction_frame(self, plan: PlanId, r: Reaction) -> Frame:
         """Both components of a reaction with friction, or its circle, and the power of friction."""
         key, parts = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
         rows = tuple(self.reckoning.value_row(self.made[n]) for n in (*parts, r.power))
@@ -262,7 +262,7 @@ class Teller:
         """The arm at which a slider's reaction acts, by its couple."""
         arm = self.made[r.arm]
         assert isinstance(arm, Calculate)
-        mm = value_slot(r.arm, "mm", mu_name("position"))
+        mm = value_slot(r.arm, "mm", SCHEME_PLAN.mu_name)
         return self.make_frame("seated", r.plan, terms=(r.key,), rows=(calculation_row(arm),), force=r.key, mm=mm)
 
     def moment_equation_frames(self, step: Step) -> list[Frame]:
@@ -272,7 +272,7 @@ class Teller:
         index = self.moments[step.makes]
         m = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
-        plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
+        plan, reason = (LEVER_PLAN, "moments_lever") if m.links == ("lever",) else (SCHEME_PLAN, "moments")
         frames = [self.make_frame(key, plan, reason=reason, terms=terms, moments=index, **names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
         return frames + [

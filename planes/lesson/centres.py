@@ -12,7 +12,7 @@ from planes.plans.centres import Centre, CentreLine, Check, instant_centre_name
 from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.frozen import frozen, replace
-from planes.words.names import name_without_plan
+from planes.words.names import VELOCITY_PLAN, PlanId, name_without_plan
 from planes.words.records import Json
 
 UNSEEN_CENTRE_REMARKS = ("off", "parallel", "lost")
@@ -25,7 +25,7 @@ class CentreFrames:
 
     plans: Plans
     make: Make
-    reading: Callable[[str, str], Row]
+    reading: Callable[[str, PlanId], Row]
 
     def insert_chapter(self, frames: list[Frame]) -> list[Frame]:
         """The frames, the chapter after the velocities."""
@@ -92,7 +92,7 @@ class CentreFrames:
         )
         rows = tuple(Row(check.name, letters, numbers, value_slot(both, "a")) for letters, numbers, both in sides)
         if check.read:
-            rows += (self.reading(check.name, "velocity"),)
+            rows += (self.reading(check.name, VELOCITY_PLAN),)
         key = "centre_slider" if check.slides else "centre_speed" if check.read else "centre_equal"
         uses = (check.centre.mark,)
         return self.make(key, "position", uses=uses, rows=rows, name=check.centre.name, link=check.slides)

@@ -6,6 +6,7 @@ size of the plan.
 
 from collections.abc import Sequence
 from functools import cached_property
+from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff
@@ -15,9 +16,8 @@ from planes.lesson.free_bodies import FreeBodies, links_phrase
 from planes.plans import Plans
 from planes.plans.scales import largest_fitting_scale
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, NumbersByName, force_plan_links, full_mark_name, label_of, mu_name, plan_kind
+from planes.words.names import UNIT_OF_PLAN, VELOCITY_PLAN, Mark, NumbersByName, PlanId
 from planes.words.records import Json
-from planes.words.units import UNIT_OF_PLAN
 
 CHOICE_KINDS = ("mu", "order", "reason", "first")
 OFFERED_SCALE_RATIOS = (0.1, 0.4, 1.0, 2.5, 10.0)
@@ -37,44 +37,44 @@ class Choices:
     equations: Sequence[Json]
     fit_mm: NumbersByName
 
-    def options_of_choice(self, kind: str, what: str | int, frame: int) -> Json | None:
+    def options_of_choice(self, kind: str, what: Any, frame: int) -> Json | None:
         """The options of a choice, by its kind; None where there is nothing to choose."""
         if kind == "mu":
-            return self.scale_options(str(what), self.frames[frame])
+            return self.scale_options(what, self.frames[frame])
         if not self.plans.has_mechanism:
             return None
         if kind == "first":
-            return self.first_equation_options(int(what), frame)
+            return self.first_equation_options(what, frame)
         if kind == "order":
-            return self.link_order_options(str(what))
-        return self.first_link_reason_options(str(what))
+            return self.link_order_options(what)
+        return self.first_link_reason_options(what)
 
-    def scale_options(self, plan: str, frame: Frame) -> Json | None:
+    def scale_options(self, plan: PlanId, frame: Frame) -> Json | None:
         """Scales of the standard series about that of the lesson, the marks that give the size of the plan, and the
         vector laid off first; None where no given length leads to the first mark asked for."""
         first = self.plans.program.steps_by_result[frame.makes[0]]
         long = (getattr(first, "length", "") or getattr(first, "radius", "")) if plan == "position" else ""
         if not long and not isinstance(first, LayOff):
             return None
-        own = complex(self.drawing[mu_name(plan)]).real
+        own = complex(self.drawing[plan.mu_name]).real
         offered = sorted({largest_fitting_scale(plan, 1.0, own * times) for times in OFFERED_SCALE_RATIOS})
-        others = {full_mark_name(plan, POLE_LABEL), *self.plans.program.trial_marks}
+        others = {plan.pole, *self.plans.program.trial_marks}
         shown = [
             s.makes
             for s in self.plans.program.mark_steps_by_plan[plan]
             if not s.is_outside_plan and s.makes not in others
         ]
-        kind = plan_kind(plan)
+        kind = plan.kind
         return {
             "offered": [{"value": mu} for mu in offered],
             "marks": shown,
             "most": self.fit_mm[kind],
-            "name": long or next(iter(frame.terms), label_of(first.makes)),
+            "name": long or next(iter(frame.terms), first.label),
             "unit": sentence_in_lesson_languages(UNIT_OF_PLAN.get(kind, "one_unit")),
         }
 
     @cached_property
-    def reactions_awaited(self) -> dict[str, dict[str, set[str]]]:
+    def reactions_awaited(self) -> dict[PlanId, dict[str, set[str]]]:
         """By force plan the plans it waits for, and the reactions that each of them gives."""
         bodies = FreeBodies(self.plans, self.drawing)
         waits = {plan: dict[str, set[str]]() for plan in self.plans.force_plans}
@@ -85,14 +85,11 @@ class Choices:
                         giving.setdefault(r.plan, set()).add(f["name"])
         return waits
 
-    def link_order_options(self, plan: str) -> Json | None:
+    def link_order_options(self, plan: PlanId) -> Json | None:
         """The links whose forces are still unknown, where some of them must wait: a group of one polygon each."""
         driver = self.plans.structure.driver
         group_links = [set(g.all_links) for g in self.plans.structure.groups]
-        if any(
-            force_plan_links(p) != (driver,) and set(force_plan_links(p)) not in group_links
-            for p in self.plans.force_plans
-        ):
+        if any(p.links != (driver,) and set(p.links) not in group_links for p in self.plans.force_plans):
             return None
         left = self.plans.force_plans[self.plans.force_plans.index(plan) :]
         names = {p: sorted(n for q in left for n in self.reactions_awaited[p].get(q, ())) for p in left}
@@ -100,11 +97,7 @@ class Choices:
             return None
         return {
             "offered": [
-                {
-                    "value": p,
-                    "said": in_lesson_languages(links_phrase(force_plan_links(p)).told),
-                    **self.too_early_reason(names[p]),
-                }
+                {"value": p, "said": in_lesson_languages(links_phrase(p.links).told), **self.too_early_reason(names[p])}
                 for p in sorted(left)
             ]
         }
@@ -116,7 +109,7 @@ class Choices:
             return {"why": sentence_in_lesson_languages("lesson_choice_early", forces=forces)}
         return {}
 
-    def first_link_reason_options(self, plan: str) -> Json | None:
+    def first_link_reason_options(self, plan: PlanId) -> Json | None:
         """Why the first links come first."""
         if plan != self.plans.force_plans[0] or not self.link_order_options(plan):
             return None
@@ -135,7 +128,7 @@ class Choices:
         equation = self.equations[index]
         if equation not in own:
             return None
-        made = {m for f in self.frames[:frame] for m in f.makes} | {full_mark_name("velocity", POLE_LABEL)}
+        made = {m for f in self.frames[:frame] for m in f.makes} | {VELOCITY_PLAN.pole}
         later = [e for e in own if self.equations.index(e) > index]
         offered = {text: self.unknown_vector_reason(term, made) for text, term in sums_of_equation(equation)}
         offered |= self.unlinked_point_option(equation, made)
@@ -152,13 +145,13 @@ class Choices:
             "offered": [{"value": t, "said": dict.fromkeys(LESSON_LANGS, t), **offered[t]} for t in sorted(offered)]
         }
 
-    def unknown_vector_reason(self, term: Json, made: set[str]) -> Json:
+    def unknown_vector_reason(self, term: Json, made: set[Mark]) -> Json:
         """Why an equation that begins with a vector cannot be written yet; empty where it can."""
         if term["action"] == "=0" or term["at"] in made:
             return {}
         return {"why": sentence_in_lesson_languages("lesson_choice_unknown", name=term["name"])}
 
-    def unlinked_point_option(self, equation: Json, made: set[str]) -> dict[str, Json]:
+    def unlinked_point_option(self, equation: Json, made: set[Mark]) -> dict[str, Json]:
         """The unknown point by a known one that is on none of its links."""
         links = self.plans.mechanism.links
         point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")

@@ -8,7 +8,7 @@ from functools import partial
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import TrackStep
 from planes.lesson.centres import UNSEEN_CENTRE_REMARKS, crossing_lines_by_centre
 from planes.lesson.formulas import (
     in_lesson_languages,
@@ -30,7 +30,7 @@ from planes.plans.measuring import plan_title, scene_lettering
 from planes.scene import Scene
 from planes.words import Lang
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE_LABEL, NamePair, force_plan_links, name_without_plan, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, NamePair, PlanId, name_without_plan, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 
@@ -129,19 +129,18 @@ def _tape_data(lesson: SceneLesson, progress: Progress | None = None, practice: 
 
 
 def _blunt_crossing_warning(mark: str) -> dict[Lang, str]:
-    plan = plan_phrase(plan_of(mark) or "position")
+    plan = plan_phrase(plan_of(mark) or SCHEME_PLAN)
     return sentence_in_lesson_languages(
         "lesson_zone_blunt", mark=name_without_plan(mark), plan=plan, angle=value_slot(mark, "d")
     )
 
 
-def _plan_data(plans: Plans, plan: str, convention: Convention) -> Json:
+def _plan_data(plans: Plans, plan: PlanId, convention: Convention) -> Json:
     """A plan with its scale, its title and the letters of the scheme's fixed points, which are at its pole."""
     primes = {"velocity": [""], "acceleration": ["'"]}.get(plan, [])
     return {
         "key": plan,
-        "links": [x for x in force_plan_links(plan) if x in plans.mechanism.links or plans.has_mechanism]
-        * (plan_kind(plan) == "force"),
+        "links": [x for x in plan.links if x in plans.mechanism.links or plans.has_mechanism] * (plan.is_force),
         "mu": in_lesson_languages(partial(plan_scale_text, plan, convention=convention)),
         "title": in_lesson_languages(partial(plan_title, plan)),
         "fixed": [p.lower() + prime for prime in primes for p in frame_hinges(plans.mechanism)],
@@ -160,7 +159,7 @@ def _vector_segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
         start, end = s.ends
         shown = s.plan not in ("position", "motion") and start not in rays
         if start != end and shown and end in drawing:
-            force = plan_kind(s.plan) not in MOTION
+            force = s.plan.kind not in MOTION
             name = named.get(s.name, s.name)
             from_pole = s.start == POLE_LABEL and end not in drawing.program.component_end_marks
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
@@ -175,7 +174,7 @@ def _vector_segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
 
 def _lines_and_arcs_of_marks(drawing: Drawing) -> Json:
     """For each crossed mark, the marks on its lines, or the centres of its arcs."""
-    traces = {}
+    traces: Json = {}
     for step in drawing.program.steps:
         name = step.makes
         if isinstance(step, Choose):
@@ -185,7 +184,7 @@ def _lines_and_arcs_of_marks(drawing: Drawing) -> Json:
                 traces[name] = {"lines": [step.start, step.other]}
             case CrossArc():
                 traces[name] = {"lines": [step.start], "arcs": [step.centre]}
-            case CutTrack():
+            case TrackStep():
                 own = [h for h in step.holds if h.local == step.local]
                 traces[name] = {"arcs" if h.kind == "arc" else "lines": [h.place] for h in own}
             case CrossArcs():

@@ -6,10 +6,10 @@ from planes.drafting.steps import Carry, Image, LayOff, Step
 from planes.drafting.steps.by_leads import CrossFalse
 from planes.drafting.steps.crossings import Cross
 from planes.lesson.formulas import value_slot
-from planes.words.names import name_without_plan
+from planes.words.names import NamesByName, name_without_plan
 
 
-def false_plan_step_words(step: Step, made: Mapping[str, Step]) -> tuple[str, str, dict[str, str]] | None:
+def false_plan_step_words(step: Step, made: Mapping[str, Step]) -> tuple[str, str, NamesByName] | None:
     """The key of the sentence and of its reason, and the names in it; None for a step outside false plans."""
     if isinstance(step, Image) and isinstance(made.get(step.like[1]), Carry):
         supposed = made.get(step.image[1])

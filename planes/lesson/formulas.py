@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.words import Lang, Phrase, Written, available_languages, say, with_decimal_sign
-from planes.words.names import mu_name, plan_kind, split_value_name
+from planes.words.names import PlanId, split_value_name
 from planes.words.units import Convention, mu_number, mu_text, number_text
 
 One = TypeVar("One")
@@ -149,8 +149,8 @@ def _sum_text(parts: list[tuple[bool, str]]) -> str:
     return text or "0"
 
 
-def plan_scale_text(plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
+def plan_scale_text(plan: PlanId, lang: Lang, convention: Convention = "mm_per_unit") -> str:
     """The scale of a plan as written in the language, its number in a slot; the lever has the scale of velocities."""
     how = "k" if convention == "mm_per_unit" else "i"
-    kind = "velocity" if plan == "lever" else plan_kind(plan)
-    return f"{value_slot(mu_name(plan), how)} {mu_text(1.0, kind, lang, convention).partition(' ')[2]}"
+    kind = "velocity" if plan == "lever" else plan.kind
+    return f"{value_slot(plan.mu_name, how)} {mu_text(1.0, kind, lang, convention).partition(' ')[2]}"

@@ -9,7 +9,7 @@ from planes.lesson.formulas import SIGN_SLOT_KINDS, factors_of_slot
 from planes.lesson.rows import Row
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import MarkTuple, NamePair, NameTuple, PlanId
 
 CENTRES_CHAPTER = "centres"
 """The chapter of instantaneous centres, which is not a plan."""
@@ -27,8 +27,8 @@ class Frame:
     ``still`` is the sentence for a mark at the pole."""
 
     key: str
-    plan: str
-    makes: NameTuple
+    plan: PlanId
+    makes: MarkTuple
     uses: NameTuple
     equation: int | None
     terms: NameTuple

@@ -9,10 +9,9 @@ from planes.drafting.equations import Term
 from planes.lesson.frame import Frame, Make
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
-from planes.plans.position.bodies import scheme_mark
 from planes.words import Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NameTuple, force_plan_links, force_plan_name, label_of, plan_kind, split_value_name
+from planes.words.names import NameTuple, PlanId, scheme_mark, split_value_name
 from planes.words.records import Json
 
 
@@ -41,7 +40,7 @@ class FreeBodies:
         opened = list[Frame]()
         waiting = {}
         for f in frames:
-            if f.key == "pole" and plan_kind(f.plan) == "force" and self.plans.has_mechanism:
+            if f.key == "pole" and f.plan.is_force and self.plans.has_mechanism:
                 waiting[f.plan] = f
                 opened += self.free_body_frames(f.plan, make)
                 continue
@@ -49,7 +48,7 @@ class FreeBodies:
             opened += [f, *pole] if f.key == "equation" else [*pole, f]
         return opened
 
-    def free_body_frames(self, plan: str, make: Make) -> Iterator[Frame]:
+    def free_body_frames(self, plan: PlanId, make: Make) -> Iterator[Frame]:
         """The forces on the links and the unknowns; then the reactions that are resolved."""
         known = [f["name"] for f in self.known_forces(plan)]
         sought = self.outer(plan)
@@ -65,7 +64,7 @@ class FreeBodies:
             plan,
             reason=why,
             terms=tuple(known),
-            links=links_phrase(force_plan_links(plan)),
+            links=links_phrase(plan.links),
             known=", ".join(f"⟨{n}⟩" for n in known) or "—",
             unknown=unknown,
             count=str(2 * len(sought) + bool(balancing)),
@@ -76,10 +75,10 @@ class FreeBodies:
             why = Phrase("why_split", **parts, about=one.about)
             yield make("split", plan, reason=why, terms=terms, **parts)
 
-    def known_forces(self, plan: str) -> Iterator[Json]:
+    def known_forces(self, plan: PlanId) -> Iterator[Json]:
         """The known forces and couples on the links of a polygon, and how each is drawn."""
         own = self.reactions_from_polygon(plan)
-        for link in force_plan_links(plan):
+        for link in plan.links:
             for f in self.plans.acting.forces.get(link, ()):
                 outside = f.quantity in ("weight", "inertia", "load")
                 if f.size in self.drawing and (outside or (f.quantity == "reaction" and f.name not in own)):
@@ -88,30 +87,30 @@ class FreeBodies:
                 if not c.handed and c.value in self.drawing:
                     yield c.shown
 
-    def reactions_from_polygon(self, plan: str) -> dict[str, Reaction]:
+    def reactions_from_polygon(self, plan: PlanId) -> dict[str, Reaction]:
         """The reactions found from a polygon, by their names on its links: internal ones have both names."""
         reactions = (r for r in self.plans.reactions.values() if r.plan == plan)
-        links = force_plan_links(plan)
+        links = plan.links
         return {name: r for r in reactions for name, link in r.both_reaction_names.items() if link in links}
 
-    def outer(self, plan: str) -> dict[str, Reaction]:
+    def outer(self, plan: PlanId) -> dict[str, Reaction]:
         """Those from other links."""
         return {
             name: r
             for name, r in self.reactions_from_polygon(plan).items()
-            if not {*r.both_reaction_names.values()} <= {*force_plan_links(plan)}
+            if not {*r.both_reaction_names.values()} <= {*plan.links}
         }
 
-    def balancing_load(self, plan: str) -> str:
+    def balancing_load(self, plan: PlanId) -> str:
         """The balancing load, if the polygon is the driver's."""
-        if plan == force_plan_name(self.plans.drive.link):
+        if plan == PlanId("force", self.plans.drive.link):
             return self.plans.balancing
         return ""
 
-    def resolved_reactions(self, plan: str) -> Iterator[Split]:
+    def resolved_reactions(self, plan: PlanId) -> Iterator[Split]:
         """The reactions of a polygon with both components in its equation."""
         terms = {t.name: t for e in self.plans.equations if e.plan == plan for t in e.all_terms}
-        about = {m.unknown: label_of(m.about) for m in self.plans.moments}
+        about = {m.unknown: m.about for m in self.plans.moments}
         for name, tangential in terms.items():
             letter, index, part = split_value_name(name)
             force = f"{letter}_{index}"
@@ -123,7 +122,7 @@ class FreeBodies:
     @cached_property
     def forces_by_polygon(self) -> Json:
         """For a page: by polygon the forces on its links, and both components of the resolved reactions."""
-        bodies = {}
+        bodies: Json = {}
         for plan in self.plans.force_plans:
             known = [*self.known_forces(plan)]
             forces = [{**f, "foot": None} for f in known if "mark" in f]

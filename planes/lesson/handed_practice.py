@@ -13,7 +13,7 @@ from planes.lesson.told import SceneLesson
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
-from planes.words.names import mu_name, plan_of
+from planes.words.names import Mark, PlanId
 from planes.words.records import Json
 
 Numbers = Mapping[str, complex]  # marks and values of the lesson's tape
@@ -86,8 +86,8 @@ class PracticeJudge:
         self.home = lesson.knobs.values_in_scene
         self.live = Live(lesson)
         self.things = {f"{group} {n}": z for group, own in self.live.things.items() for n, z in own.items()}
-        self.marks = [f"marks {item['what']}" for item in self.items if item["kind"] == "mark"]
-        self.slips = [(f"marks {slip['at']}", f"slips {k}") for k, slip in enumerate(self.live.slips)]
+        self.marks = [item["what"] for item in self.items if item["kind"] == "mark"]
+        self.slips = [(slip["at"], f"slips {k}") for k, slip in enumerate(self.live.slips)]
 
     def judge_file(self, file: str) -> HandedPractice:
         """The practice, judged; :class:`PlanesError` where a file is damaged, belongs to another scene, or contradicts
@@ -118,9 +118,7 @@ class PracticeJudge:
         if kind == "mark":
             match answer:
                 case [int() | float() as x, int() | float() as y]:
-                    return abs(complex(x, y) - numbers[f"marks {what}"]) <= self.mark_tolerance_mm(
-                        f"marks {what}", numbers
-                    )
+                    return abs(complex(x, y) - numbers[f"marks {what}"]) <= self.mark_tolerance_mm(what, numbers)
             return False
         if kind in ("order", "reason", "first"):
             return any(one["value"] == answer and "why" not in one for one in item["offered"])
@@ -137,7 +135,7 @@ class PracticeJudge:
 
     def is_scale_acceptable(self, item: Json, scale: float, numbers: Numbers, given: Given) -> bool:
         """Whether a plan fits its place at a scale, and can be measured as well as at that of the lesson."""
-        mu = mu_name(item["what"])
+        mu = item["what"].mu_name
         places = [numbers[f"marks {m}"] for m in item["marks"]]
         places = [z for z in places if z == z] + [0j] * (item["what"] != "position")
         across = bounding_corners(places)[1] - bounding_corners(places)[0] if places else complex(math.nan, math.nan)
@@ -146,28 +144,28 @@ class PracticeJudge:
         least = JUDGING_TOLERANCES["ruler_mm"] / JUDGING_TOLERANCES["number_share"]
         return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
 
-    def numbers_at_scale(self, plan: str, scale: float, given: Given) -> dict[str, float]:
+    def numbers_at_scale(self, plan: PlanId, scale: float, given: Given) -> dict[str, float]:
         """The numbers with a plan's scale, and with the scales tied to it."""
-        times = scale / given[mu_name(plan)]
-        tied = [k["tied"] for k in self.told.knobs.offered_numbers if k["given"] == mu_name(plan)]
-        return {**given, mu_name(plan): scale, **{n: given[n] * times for names in tied for n in names}}
+        times = scale / given[plan.mu_name]
+        tied = [k["tied"] for k in self.told.knobs.offered_numbers if k["given"] == plan.mu_name]
+        return {**given, plan.mu_name: scale, **{n: given[n] * times for names in tied for n in names}}
 
-    def mark_tolerance_mm(self, mark: str, numbers: Numbers) -> float:
+    def mark_tolerance_mm(self, mark: Mark, numbers: Numbers) -> float:
         """The tolerance of a mark, mm: closer to its place than to any mistake, within the limits of a hand."""
         wide = max(
-            JUDGING_TOLERANCES["fits_mm"], JUDGING_TOLERANCES["fits_share"] * self.plan_size_mm(plan_of(mark), numbers)
+            JUDGING_TOLERANCES["fits_mm"], JUDGING_TOLERANCES["fits_share"] * self.plan_size_mm(mark.plan, numbers)
         )
-        wrong = (abs(numbers[slip] - numbers[mark]) for at, slip in self.slips if at == mark)
+        wrong = (abs(numbers[slip] - numbers[f"marks {mark}"]) for at, slip in self.slips if at == mark)
         nearest = min((off for off in wrong if off == off), default=math.inf)
         return float(max(JUDGING_TOLERANCES["least_mm"], min(wide, nearest / 2)))
 
-    def plan_size_mm(self, plan: str, numbers: Numbers) -> float:
+    def plan_size_mm(self, plan: PlanId, numbers: Numbers) -> float:
         """The size of a plan: the distance of its farthest mark, mm."""
-        return max((abs(numbers[m]) for m in self.marks if plan_of(m) == plan), default=0.0)
+        return max((abs(numbers[f"marks {m}"]) for m in self.marks if m.plan == plan), default=0.0)
 
     def numbers_of_seed(self, seed: int) -> dict[str, float]:
         """The numbers for a seed; :class:`PlanesError` where there are none."""
-        plans = [f"marks {p}" for p in self.told.plans.plan_names if p != "motion"]
+        plans = [p for p in self.told.plans.plan_names if p != "motion"]
         home = self.live.evaluate_on_tape(self.things, self.home)
         sizes = [self.plan_size_mm(p, home) for p in plans]
         sharp = _least_crossing_sharpness(home)

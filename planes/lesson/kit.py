@@ -9,12 +9,12 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import Aim, Carry, Image, LayOff, Similar, Step, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose, Drop
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import TrackStep
 from planes.lesson.frame import Frame
 from planes.lesson.scheme import arm_foot_mark
 from planes.plans import Plans
 from planes.words.frozen import frozen
-from planes.words.names import NamePair, NameTuple, full_mark_name, plan_of
+from planes.words.names import NamePair, NameTuple, plan_of, scheme_mark
 from planes.words.records import Json
 
 Handled = Iterator[Json]
@@ -49,7 +49,7 @@ class Kit:
 
     def segments_of_frame(self, f: Frame) -> list[NamePair]:
         """The segments of a frame's vectors on its plan."""
-        own = {x.name: x.ends for x in self.plans.segments_by_plan.get(f.plan, ()) if x.start != x.end}
+        own = {x.name: x.ends for x in self.plans.segments_on(f.plan) if x.start != x.end}
         return [own[name] for name in f.terms if name in own]
 
     def tools_for_step(self, step: Step) -> Handled:
@@ -64,7 +64,7 @@ class Kit:
                 yield _dividers_tool((), (step.start, end))
             case Cross():
                 yield from self.line_tools(step.across, step.other, end)
-            case CutTrack():
+            case TrackStep():
                 for hold in step.holds:
                     if hold.local == step.local:
                         if hold.kind == "arc":
@@ -98,7 +98,7 @@ class Kit:
         if guide := self.guide_of_direction(step):
             return {"guide": guide}
         means = self.plans.means.get(step.makes)
-        ends = tuple(full_mark_name("position", point) for point in (means.of, means.about)) if means else ()
+        ends = tuple(scheme_mark(point) for point in (means.of, means.about)) if means else ()
         if ends and all(mark in self.drawing for mark in ends):
             return {"from": ends}
         if isinstance(step, Turn):

@@ -5,15 +5,22 @@ from functools import cached_property
 
 from planes.drafting.steps import LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import TrackStep
 from planes.geometry.listed import ListArithmetic, Listed
 from planes.lesson.dimensions import FreeNumbers
 from planes.lesson.formulas import in_lesson_languages, sentence_in_lesson_languages, unit_of_name
 from planes.words import Written
-from planes.words.names import UNIT_OF_LOADING, direction_of_given_angle, label_of, mu_name, plan_of, split_value_name
+from planes.words.names import (
+    LEVER_PLAN,
+    MOTION_PLAN,
+    UNIT_OF_LOADING,
+    VELOCITY_PLAN,
+    direction_of_given_angle,
+    split_value_name,
+)
 from planes.words.records import Json
 
-COMMON_SCALE_PLANS = ("velocity", "motion", "lever")
+COMMON_SCALE_PLANS = (VELOCITY_PLAN, MOTION_PLAN, LEVER_PLAN)
 """Plans with a common scale: the lever's segments are carried from the velocity plan."""
 STROKE_WORDS_BY_PREFIX = {
     "‖": "stroke_working",
@@ -34,7 +41,7 @@ class Knobs(FreeNumbers):
         knobs = []
         for name, value in self.values_in_scene.items():
             given, _, axis = name.partition(".")
-            plan = next((p for p in self.plans.plan_names if mu_name(p) == given), None)
+            plan = next((p for p in self.plans.plan_names if p.mu_name == given), None)
             name_in_scene = "" if plan else self.number_name_for_reader(given, axis)
             if given in used and (name_in_scene or plan not in (None, *COMMON_SCALE_PLANS[1:])):
                 knob: Json = {"given": name, "at": value, "tied": self.tied_scales(given)}
@@ -62,7 +69,7 @@ class Knobs(FreeNumbers):
 
     def tied_scales(self, given: str) -> list[str]:
         """The scales that change with a scale: those of the plans that carry segments from each other."""
-        same = [mu_name(p) for p in COMMON_SCALE_PLANS if mu_name(p) in self.given]
+        same = [p.mu_name for p in COMMON_SCALE_PLANS if p.mu_name in self.given]
         return [mu for mu in same if mu != given] if given in same else []
 
     def perturbed_givens(self, count: int, leaning: bool = False) -> dict[str, Listed]:
@@ -111,7 +118,7 @@ class Knobs(FreeNumbers):
                 for n in self.numbers_placing_mark(step)
                 if free.get(n) or n == drive or (n in free and direction_of_given_angle(n))
             ]
-            if plan_of(step.makes) == "position" and step.kind == "mark" and names:
+            if step.plan == "position" and names:
                 placed_by[step.makes] = names
         return placed_by
 
@@ -124,20 +131,20 @@ class Knobs(FreeNumbers):
             case LayOff():
                 turned = getattr(self.plans.program.steps_by_result.get(step.along), "of", "")
                 driven = turned == f"x_{self.plans.drive.link}" or step.length == drive
-                return [step.length, *self.numbers_of_point_on_link(step.makes)[1:], *[drive] * driven]
+                return [step.length, *self.numbers_of_point_on_link(step.label)[1:], *[drive] * driven]
             case CrossArc():
                 return [step.radius]
             case CrossArcs():
                 return [step.radius, step.other_radius]
             case Similar():
-                return self.numbers_of_point_on_link(step.makes)
-            case CutTrack():
+                return self.numbers_of_point_on_link(step.label)
+            case TrackStep():
                 held = [hold.reach for hold in step.holds if hold.local == step.local and hold.kind == "arc"]
-                basic = [x for x in self.plans.mechanism.links if step.local == f"at_{label_of(step.makes)}_{x}"]
-                return [*held, *self.numbers_of_point_on_link(step.makes, *basic), drive]
+                basic = [x for x in self.plans.mechanism.links if step.local == f"at_{step.label}_{x}"]
+                return [*held, *self.numbers_of_point_on_link(step.label, *basic), drive]
         return []
 
-    def numbers_of_point_on_link(self, mark: str, *links: str) -> list[str]:
+    def numbers_of_point_on_link(self, label: str, *links: str) -> list[str]:
         """The numbers that fix a point on its link, one of some ``links``."""
-        names_of_links = (self.numbers_fixing_point(x, label_of(mark)) for x in links or self.plans.mechanism.links)
+        names_of_links = (self.numbers_fixing_point(x, label) for x in links or self.plans.mechanism.links)
         return next(filter(None, names_of_links), [])

@@ -22,7 +22,7 @@ from planes.lesson.scheme import arm_foot_marks, moment_arms
 from planes.lesson.told import SceneLesson
 from planes.plans import Plans
 from planes.words import Lang, Phrase
-from planes.words.names import full_mark_name, mu_name, plan_of
+from planes.words.names import MOTION_PLAN, NO_PLAN, plan_of
 from planes.words.records import Json
 
 LEAST_MISTAKE_OFFSET_MM = 0.3  # a wrong place closer than this to the right one is no mistake
@@ -72,9 +72,9 @@ class Live:
         visible = [slips[int(k)] for k, z in off.items() if abs(z) > LEAST_MISTAKE_OFFSET_MM]
         self.slips = [slip for slip, _ in visible]
         wrong = {str(k): z for k, (_, z) in enumerate(visible)}
-        made = (s.makes for s in program.steps if s.kind == "mark" and s.makes not in program.trial_marks)
+        made = (s for s in program.steps if s.plan not in (NO_PLAN, MOTION_PLAN) and s.makes not in program.trial_marks)
         self.things: dict[str, Things] = {
-            "marks": {name: drawn[name] for name in made if plan_of(name) != "motion"} | self.feet,
+            "marks": {s.makes: drawn[s.makes] for s in made} | self.feet,
             "turned": {d: drawn[d] for d in page_directions(lesson) if d in drawn},
             "values": {
                 **{n: slot_value(n, lesson.teller, self.drawing) for n in page_values(lesson)},
@@ -108,8 +108,8 @@ class Live:
             own = {s.makes for s in plans.program.mark_steps_by_plan[plan]}
             tool = self.continuing_tool({m: drawn[m] for m in own})
             ways = PlanSteps(plans, plans.program.cut_to_names([*own]), plan)
-            for variant in catalogue_mistakes(ways, {}, complex(practice.given[mu_name(plan)]).real):
-                mark = full_mark_name(plan, variant.blames)
+            for variant in catalogue_mistakes(ways, {}, complex(practice.given[plan.mu_name]).real):
+                mark = plan.mark(variant.blames)
                 made = variant.draw_affected_steps(ways.program, drawn.things, tool, own) if mark in asked else {}
                 if mark in made:
                     yield practice.mistake_at_mark(variant, mark), made[mark]
@@ -178,7 +178,13 @@ def page_values(lesson: SceneLesson) -> list[str]:
     shown = values_of_frames([*lesson.frames, *(lesson.leaning or {}).values()])
     return [
         *dict.fromkeys(
-            [*shown, *rates_and_balancing_loads(plans), *known, *map(mu_name, plans.plan_names), plans.drive_given_name]
+            [
+                *shown,
+                *rates_and_balancing_loads(plans),
+                *known,
+                *(p.mu_name for p in plans.plan_names),
+                plans.drive_given_name,
+            ]
         )
     ]
 

@@ -7,6 +7,7 @@ from planes.lesson.formulas import fill_slots, unit_of_name, value_slot
 from planes.lesson.rows import Row, row_remark
 from planes.words import say
 from planes.words.frozen import frozen
+from planes.words.names import NO_PLAN, PlanId
 from planes.words.naming import Naming
 from planes.words.units import RAISED_DIGITS, number_in_tex
 
@@ -21,7 +22,7 @@ class Typesetter:
 
     read: Read
     naming: Naming
-    plan: str = ""
+    plan: PlanId = NO_PLAN
 
     def typeset_row(self, row: Row) -> tuple[str, ...]:
         """``head = letters = numbers = value unit`` in pieces, each but the first with the sign it begins with."""

@@ -13,14 +13,14 @@ from planes.lesson.free_bodies import links_phrase
 from planes.lesson.rows import Row
 from planes.lesson.steps import Names
 from planes.words import Phrase
-from planes.words.names import name_without_plan, split_value_name
+from planes.words.names import NameTuple, name_without_plan, split_value_name
 
 ZERO_TERM_SHARE = 1e-9  # of the largest term: below this it is zero
 # always written without a sign; other magnitudes are in bars where a value has a sign
 UNSIGNED_ARM_LETTERS = ("h", "H")
 
 
-def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
+def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, NameTuple]:
     """The key of the sentence, its contents, and the forces in it."""
     dropped = vanishing_terms(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)

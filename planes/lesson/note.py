@@ -32,7 +32,7 @@ from planes.solving.tables import relative_difference
 from planes.words import Lang, capitalize_first_letter, say, text_in, with_decimal_sign
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import force_plan_links, plan_kind
+from planes.words.names import NO_PLAN, SCHEME_PLAN, VELOCITY_PLAN, PlanId
 from planes.words.naming import Naming
 from planes.words.units import number_text
 
@@ -87,7 +87,7 @@ class Note:
         caption = self.say("note_figure", number=self.figures, title=title) if title else ""
         return Figure(DrawnViews(self.scene, self.position, ((key,),)), caption)
 
-    def plan_figure(self, plan: str) -> Figure:
+    def plan_figure(self, plan: PlanId) -> Figure:
         """The figure of a plan, or of the scheme."""
         return self.numbered_figure("scheme" if plan == "position" else plan, self.plan_caption(plan))
 
@@ -181,24 +181,24 @@ class Note:
             if plan == "velocity" and self.scene.find is None:
                 yield from self.transfer_blocks()
 
-    def free_body_figures(self, plan: str) -> Blocks:
+    def free_body_figures(self, plan: PlanId) -> Blocks:
         """The free body of a force polygon: first the mechanism with its loads, then the links with their forces and
         arms; for the lever its forces."""
         plans = self.position.plans
         if not plans.has_mechanism:
             return
-        mu = f", μ = {self.scale_text('velocity' if plan == 'lever' else 'position')}"
+        mu = f", μ = {self.scale_text(VELOCITY_PLAN if plan == 'lever' else SCHEME_PLAN)}"
         if plan == "lever":
             yield self.numbered_figure("lever", self.say("lever") + mu)
-        if plan_kind(plan) == "force":
+        if plan.is_force:
             if plan == plans.force_plans[0]:
                 yield self.numbered_figure("loaded", self.say("loaded") + mu)
-            links = force_plan_links(plan)
+            links = plan.links
             key = "group" if len(links) > 1 else "driver" if links == (plans.structure.driver,) else "link"
             title = self.say(f"loaded_{key}", links="–".join(map(self.naming.link_number, links)))
             yield self.numbered_figure(f"group {plan}", title + mu)
 
-    def scale_text(self, plan: str) -> str:
+    def scale_text(self, plan: PlanId) -> str:
         """The scale of a plan, as written in this language."""
         return fill_slots(
             plan_scale_text(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang
@@ -210,15 +210,15 @@ class Note:
         head = tuple(map(self.say, ("quantity", "note_by_segments", "value", "note_unit")))
         yield from self.numbered_table("of_transfers", head, rows)
 
-    def plan_heading(self, plan: str) -> str:
-        if plan_kind(plan) != "force":
+    def plan_heading(self, plan: PlanId) -> str:
+        if not plan.is_force:
             return self.say(f"note_{plan}")
-        links = [x for x in force_plan_links(plan) if x]
+        links = [x for x in plan.links if x]
         driver = tuple(links) == (self.position.plans.structure.driver,)
         alone = self.alone if driver else "note_link_forces"
         return self.say("note_group" if len(links) > 1 else alone if links else "note_forces", links=", ".join(links))
 
-    def plan_caption(self, plan: str, group: str = "") -> str:
+    def plan_caption(self, plan: PlanId, group: PlanId = NO_PLAN) -> str:
         mu = self.scale_text(group or plan)
         if plan == "position":
             return self.say("note_scheme", mu=mu)
@@ -243,7 +243,7 @@ class Note:
             self.given.add(why)
             yield Paragraph(why, plan=frame.plan, why=True)
 
-    def numbered_formula(self, row: Row, plan: str) -> Formula:
+    def numbered_formula(self, row: Row, plan: PlanId) -> Formula:
         """A line of reckoning, numbered."""
         self.formulas += 1
         return Formula(Typesetter(self.value_by_name, self.naming, plan).typeset_row(row), str(self.formulas))

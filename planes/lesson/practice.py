@@ -23,7 +23,7 @@ from planes.lesson.reckoning import displayed_name
 from planes.lesson.scheme import moment_arms
 from planes.words import Phrase, sentence_table
 from planes.words.frozen import frozen
-from planes.words.names import NameTriple, NumbersByName, letter_of, mu_name
+from planes.words.names import Mark, NamesByName, NameTriple, NumbersByName, letter_of
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
@@ -125,7 +125,7 @@ class Practice(Choices):
             and (sense := f"{SENSE_PREFIX}{self.plans.moments[f.moments].unknown}") in self.turning
         ):
             yield "sense", sense
-        if mark and f.plan in known_plans(self.plans) and mu_name(f.plan) in self.given:
+        if mark and f.plan in known_plans(self.plans) and f.plan.mu_name in self.given:
             yield "mu", f.plan
         if mark:
             yield "mark", mark
@@ -147,7 +147,7 @@ class Practice(Choices):
                     ]
         return senses
 
-    def can_be_drawn(self, mark: str) -> bool:
+    def can_be_drawn(self, mark: Mark) -> bool:
         """Whether a reader can draw a mark."""
         step = self.plans.program.steps_by_result[mark]
         if isinstance(step, LayOff):
@@ -168,9 +168,9 @@ class Practice(Choices):
         content = [(item["kind"], item["what"]) for item in self.practice_items()], free
         return sha256(repr(content).encode()).hexdigest()[:8]
 
-    def named_directions(self) -> dict[str, str]:
+    def named_directions(self) -> NamesByName:
         """Directions of the drawing for a set square, each with the line that names it."""
-        lines_of_directions: dict[str, str] = {}
+        lines_of_directions: NamesByName = {}
         for step in self.plans.program.steps:
             for name in (getattr(step, "along", ""), getattr(step, "across", "")):
                 own = self.base_direction(name or "")
@@ -187,7 +187,7 @@ class Practice(Choices):
             return step.of
         return direction
 
-    def mistake_at_mark(self, variant: Variant, mark: str) -> Json:
+    def mistake_at_mark(self, variant: Variant, mark: Mark) -> Json:
         """A mistake at a mark, with the names in the order of its sentence."""
         along = getattr(self.plans.program.steps_by_result[mark], "along", "")
         line = self.plans.means[along].line_name if along else ""

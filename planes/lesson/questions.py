@@ -19,7 +19,7 @@ from planes.solving.document import Block, Blocks, Chart, Figure, Heading, Parag
 from planes.words import put_decimal_signs, sentence_table
 from planes.words.frozen import replace
 from planes.words.lettering import without_index_markup
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import RATE_PLANS, SCHEME_PLAN, NamePair, PlanTuple
 
 QUESTIONS_BY_CHAPTER: Mapping[str, str] = {
     "structure": "link pair chain apart mobility surplus synthesis groups classes",
@@ -36,8 +36,7 @@ ANSWERING_FRAMES: Mapping[str, NamePair] = {
     "inertia": ("", "M?I_"),
 }
 """The frames of the lesson that answer a question, and the pattern of results whose lines of calculation do."""
-MOTION_PLANS = ("velocity", "acceleration")
-ANSWERING_FIGURES: Mapping[str, NameTuple] = {"scheme": ("position",), "polygons": MOTION_PLANS}
+ANSWERING_FIGURES: Mapping[str, PlanTuple] = {"scheme": (SCHEME_PLAN,), "polygons": RATE_PLANS}
 
 
 class Questions(Note):
@@ -102,7 +101,7 @@ class Questions(Note):
             "backwards": " → ".join(g.formula_members for g in reversed(s.groups)),
             "output": driven_link_and_sliding(p.plans)[0],
             "curve": self.naming.lettered_curve(driven_link_curves(p.plans)[0]),
-            "mu": self.scale_text("position"),
+            "mu": self.scale_text(SCHEME_PLAN),
             "balancing": f"⟨{p.plans.balancing}⟩",
             "reactions": ", ".join(f"⟨{name}⟩" for name in p.of("reactions")),
             "loads": ", ".join(f"⟨{name}⟩" for name in names_of_loads(self.m)) or "—",
@@ -125,7 +124,7 @@ class Questions(Note):
         for f in self.frames:
             rows = [r for r in f.rows if r.numbers and r.name not in given and re.match(results, r.name)]
             given |= {r.name for r in rows}
-            if (rows and f.key == "lay_off") or (f.key in keys.split() and f.plan in MOTION_PLANS):
+            if (rows and f.key == "lay_off") or (f.key in keys.split() and f.plan in RATE_PLANS):
                 yield from self.frame_blocks(f, 0)
                 continue
             yield from (self.numbered_formula(r, f.plan) for r in rows)

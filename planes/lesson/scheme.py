@@ -11,7 +11,7 @@ from planes.geometry.arrays import Points
 from planes.plans import Plans
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Mechanism
-from planes.words.names import full_mark_name, label_of, plan_of, split_value_name
+from planes.words.names import LEVER_PLAN, SCHEME_PLAN, Mark, NamesByName, label_of, scheme_mark, split_value_name
 from planes.words.records import Json
 
 
@@ -24,21 +24,19 @@ def scheme_data(plans: Plans, drawing: Drawing) -> Json:
         links.append(
             {
                 "name": x.name,
-                "points": [full_mark_name("position", p) for p in m.points_without_guide_centre(x)],
-                "round": {"centre": full_mark_name("position", guide.centre), "link": owner} if guide else None,
+                "points": [scheme_mark(p) for p in m.points_without_guide_centre(x)],
+                "round": {"centre": scheme_mark(guide.centre), "link": owner} if guide else None,
                 "slides": x.slides.guide if x.slides else None,
             }
         )
-    marks = {
-        name: full_mark_name("position", x.guides[name].through_point or f"°{name}") for name, x in m.owners.items()
-    }
+    marks = {name: scheme_mark(x.guides[name].through_point or f"°{name}") for name, x in m.owners.items()}
     return {
         "links": links,
         "guides": [
             {"name": n, "link": m.owner_of_guide(n), "mark": mark} for n, mark in marks.items() if mark in drawing
         ],
         "signs": [*_supports(plans), *_sliders(m), *_hinges(plans)],
-        "pivots": [full_mark_name("position", p) for p in frame_hinges(m)],
+        "pivots": [scheme_mark(p) for p in frame_hinges(m)],
         "driver": m.drive.link,
         "drawn": statics_figure_data(plans.figure, plans) if plans.figure else None,
     }
@@ -52,8 +50,8 @@ def _supports(plans: Plans) -> Iterator[Json]:
         others = [p for p in body.points if p != s.point] if body and s.kind == "clamp" else []
         towards = min(others, key=lambda p: abs(spots[p] - spots[s.point]), default=None)
         if s.kind in ("roller", "clamp"):
-            sign = {"sign": s.kind, "mark": full_mark_name("position", s.point), "turn": s.normal_deg - 90}
-            yield {**sign, "towards": full_mark_name("position", towards)} if towards else sign
+            sign = {"sign": s.kind, "mark": scheme_mark(s.point), "turn": s.normal_deg - 90}
+            yield {**sign, "towards": scheme_mark(towards)} if towards else sign
 
 
 def _sliders(m: Mechanism) -> list[Json]:
@@ -65,14 +63,7 @@ def _sliders(m: Mechanism) -> list[Json]:
             guide = x.slides.guide
             other = next((y for y in m.links.values() if y.slides and y != x and y.first_point == point), None)
             size = "block" if other is None else "large" if m.slider_rank(x) > m.slider_rank(other) else "small"
-            signs.append(
-                {
-                    "sign": size,
-                    "mark": full_mark_name("position", point),
-                    "along": f"∥{guide}",
-                    "shows": f"link:{x.name}",
-                }
-            )
+            signs.append({"sign": size, "mark": scheme_mark(point), "along": f"∥{guide}", "shows": f"link:{x.name}"})
     return sorted(signs, key=lambda sign: ("large", "block", "small").index(sign["sign"]))
 
 
@@ -82,11 +73,11 @@ def _hinges(plans: Plans) -> Iterator[Json]:
     moving = [p for x in m.links.values() for p in x.points]
     rollers = [s.point for s in plans.figure.supports if s.kind == "roller"] if plans.figure else []
     centres = [guides[0].centre for x in m.links.values() if (guides := m.round_guide_of_link(x))]
-    yield from ({"sign": "ground", "mark": full_mark_name("position", p)} for p in frame_hinges(m))
+    yield from ({"sign": "ground", "mark": scheme_mark(p)} for p in frame_hinges(m))
     joined = dict.fromkeys(p for x in m.links.values() for p in m.points_without_guide_centre(x))
     for p in dict.fromkeys([*joined, *centres, *special_points(plans)]):
         hinged = p in rollers or (p in joined and (moving.count(p) > 1 or p in m.frame.points))
-        mark = full_mark_name("position", p)
+        mark = scheme_mark(p)
         yield {"sign": "hinge" if hinged else "point", "mark": mark, "shows": mark}
 
 
@@ -111,14 +102,14 @@ def moment_arms(plans: Plans) -> list[Json]:
     """For each moment equation its forces: the point, the direction and the foot of the arm of each."""
     return [
         {
-            "about": full_mark_name(plan, m.about),
+            "about": plan.mark(m.about),
             "plan": plan,
             "links": list(m.links),
             "forces": [*_forces_with_arms(plans, m)],
             "couples": [*_couples_on_links(plans, m)],
         }
         for m in plans.moments
-        for plan in ["lever" if m.links == ("lever",) else "position"]
+        for plan in [LEVER_PLAN if m.links == ("lever",) else SCHEME_PLAN]
     ]
 
 
@@ -136,7 +127,7 @@ def _forces_with_arms(plans: Plans, m: Moments) -> Iterator[Json]:
     letter, index, _ = split_value_name(m.unknown)
     reaction = plans.reactions.get(f"{letter}_{index}")
     if laid and reaction:
-        mark = full_mark_name("position", reaction.pair.point)
+        mark = scheme_mark(reaction.pair.point)
         yield {"name": m.unknown, "mark": mark, "along": laid.along, "size": m.unknown, "foot": None}
 
 
@@ -150,24 +141,24 @@ def _couples_on_links(plans: Plans, m: Moments) -> Iterator[Json]:
 
 def arm_foot_mark(drop: Drop) -> str:
     """The mark of an arm's foot."""
-    return full_mark_name(plan_of(drop.point), f"⊥{drop.makes}")
+    return drop.point.plan.mark(f"⊥{drop.makes}")
 
 
 def arm_foot_marks(plans: Plans, cycle: Drawing) -> dict[str, Points]:
     """The feet of the arms as marks."""
     foot_places = {}
     for step in plans.program.steps:
-        if isinstance(step, Drop) and step.makes in cycle and plan_of(step.point) != "motion":
+        if isinstance(step, Drop) and step.makes in cycle and step.point.plan != "motion":
             way = ((cycle[step.about] - cycle[step.point]) * cycle[step.along].conjugate()).real
             foot_places[arm_foot_mark(step)] = cycle[step.point] + way * cycle[step.along]
     return foot_places
 
 
-def points_of_application(plans: Plans) -> dict[str, str]:
+def points_of_application(plans: Plans) -> dict[str, Mark]:
     """The mark of the scheme at which each force acts; for a slider's reaction its point, whatever its arm."""
     marks = {f.name: f.point for f in plans.acting.every}
     for r in plans.reactions.values():
-        point = full_mark_name("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
+        point = scheme_mark(r.pair.point or plans.mechanism.links[r.pair.link].first_point)
         marks |= {f"{name}{part}": point for name in r.both_reaction_names for part in ("", "^t", "^n")}
     return marks
 
@@ -182,7 +173,7 @@ def owners_by_name(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str
     return {name: [owner] for name in sorted(names) if (owner := _owner_of_name(plans, name, acted_on, own))}
 
 
-def special_points(plans: Plans) -> dict[str, str]:
+def special_points(plans: Plans) -> NamesByName:
     """Assur's special points, each with its basic link."""
     return {label_of(n): m.of for n, m in plans.means.items() if m.quantity == "special"}
 
@@ -192,7 +183,7 @@ def _owner_of_name(plans: Plans, name: str, acted_on: Mapping[str, str], under: 
     links = plans.mechanism.links
     letter, index, _ = split_value_name(name)
     if letter in ("v", "a", "r") and any(index in link.points for link in links.values()):
-        return full_mark_name("position", index)
+        return scheme_mark(index)
     if letter in ("v", "a"):
         if index in under:
             return f"link:{under[index]}"

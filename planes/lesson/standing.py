@@ -8,7 +8,7 @@ from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.frozen import replace
-from planes.words.names import POLE_LABEL, letter_of, name_index, name_without_plan, plan_of
+from planes.words.names import POLE_LABEL, Mark, NamesByName, letter_of, name_index, name_without_plan
 
 MOST_STILL_OFFSET_MM = 1e-4
 """Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""
@@ -16,7 +16,7 @@ MOST_STILL_OFFSET_MM = 1e-4
 
 def with_zero_vector_sentences(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
     """The frames; those that end the vector of a point get the sentence for a zero vector."""
-    named = {
+    named: NamesByName = {
         mark: p for p, m in plans.points.items() if p not in plans.fixed_points for mark in (m.velocity, m.acceleration)
     }
     special = special_points(plans)
@@ -29,9 +29,9 @@ def with_zero_vector_sentences(frames: Iterable[Frame], plans: Plans) -> list[Fr
     ]
 
 
-def zero_vector_sentence(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
+def zero_vector_sentence(mark: Mark, named: NamesByName, special: NamesByName) -> NamesByName:
     """The sentence, and its names."""
-    plan = plan_of(mark)
+    plan = mark.plan
     point = named[mark]
     key = "special" if point in special and plan == "velocity" else plan
     names = {"said": key, "point": point, "mark": name_without_plan(mark), "vector": f"{plan[0]}_{point}"}

@@ -12,7 +12,7 @@ from planes.lesson.rows import calculation_row
 from planes.lesson.steps import StepWords, Words
 from planes.plans import Plans
 from planes.words import Phrase, Told, Written, sentence_table
-from planes.words.names import POLE_LABEL, full_mark_name, name_without_plan
+from planes.words.names import name_without_plan
 from planes.words.units import number_text
 
 
@@ -86,9 +86,7 @@ def equations_by_last_mark(plans: Plans) -> dict[str, list[Equation]]:
     order = {step.makes: k for k, step in enumerate(plans.program.steps)}
     solved_at = dict[str, list[Equation]]()
     for e in plans.equations:
-        ends = {full_mark_name(e.plan, label) for t in e.all_terms for label in (t.start, t.end)} - {
-            full_mark_name(e.plan, POLE_LABEL)
-        }
+        ends = {e.plan.mark(label) for t in e.all_terms for label in (t.start, t.end)} - {e.plan.pole}
         if ends and ends <= order.keys():
             solved_at.setdefault(max(ends, key=order.__getitem__), []).append(e)
     return solved_at

@@ -9,6 +9,7 @@ from planes.solving import Position
 from planes.solving.document import Block, Blocks, Heading, Paragraph
 from planes.solving.text_tables import ZERO_RESULT_RATIO, largest_equilibrium_result
 from planes.words import Lang
+from planes.words.names import NO_PLAN, PlanId
 from planes.words.units import number_text
 
 
@@ -74,12 +75,12 @@ class StaticsNote(StatedNote):
             blocks.append(self.numbered_figure("beam", self.say("beam_diagrams")))
         return [*blocks, *self.vectors_table()]
 
-    def plan_heading(self, plan: str) -> str:
+    def plan_heading(self, plan: PlanId) -> str:
         if plan == "position":
             return self.say("space_diagram")
         return super().plan_heading(plan)
 
-    def plan_caption(self, plan: str, group: str = "") -> str:
+    def plan_caption(self, plan: PlanId, group: PlanId = NO_PLAN) -> str:
         if plan == "position":
             return self.say("note_space", mu=self.scale_text(plan))
         return super().plan_caption(plan, group)

@@ -15,7 +15,7 @@ from planes.plans import Plans
 from planes.plans.force.loads import name_of_force
 from planes.words import Phrase
 from planes.words.frozen import frozen, replace
-from planes.words.names import NameTriple, force_plan_links, full_mark_name, plan_kind, split_value_name
+from planes.words.names import NameTriple, PlanId, scheme_mark, split_value_name
 
 VECTOR_LETTERS_BY_PLAN = {"velocity": "v", "acceleration": "a"}
 
@@ -76,12 +76,12 @@ class Stating:
 
     def equation_reason(self, e: Equation) -> Phrase:
         """For forces, the bodies in equilibrium; for velocities and accelerations, the two motions of a point."""
-        if plan_kind(e.plan) in VECTOR_LETTERS_BY_PLAN:
+        if e.plan.kind in VECTOR_LETTERS_BY_PLAN:
             parts = without_repeats(self.relative_motion_phrases(e))
             if parts:
                 return Phrase("why_equation_parts", parts=parts)
             return Phrase("why_equation_circle")
-        links = tuple(force_plan_links(e.plan))
+        links = tuple(e.plan.links)
         inner = {name_of_force(a, b): a for a, b in permutations(links, 2)}
         links = next(((inner[t.name],) for t in e.all_terms if t.name in inner), links)
         return Phrase("why_equation_links" if len(links) > 1 else "why_equation_link", links="–".join(links))
@@ -144,7 +144,7 @@ class Stating:
             own[under.link].add(under.other)
         return {a + b: (link, a, b) for link, points in own.items() for a, b in permutations(sorted(points), 2)}
 
-    def rotation_sense_frames(self, rates: list[Calculate], plan: str, make: Make) -> Iterator[Frame]:
+    def rotation_sense_frames(self, rates: list[Calculate], plan: PlanId, make: Make) -> Iterator[Frame]:
         """For each angular velocity or acceleration given by a vector over a length, the vector carried to its
         point."""
         places = {under.other: under.point for under in self.guided_points_by_motion.values()}
@@ -158,5 +158,5 @@ class Stating:
                 vectors = {"vector": vector, "rate": rate.makes}
                 sense = value_slot(rate.makes, "s")
                 frame = make("sense", plan, terms=(vector,), link=name, sense=sense, **ends, **vectors)
-                spots = {k: full_mark_name("position", places.get(p, p)) for k, p in ends.items()}
+                spots = {k: scheme_mark(places.get(p, p)) for k, p in ends.items()}
                 yield replace(frame, turns={**spots, **vectors})

@@ -10,16 +10,15 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry, Image, LayOff, Put, Same, Similar, Step, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs, Touch
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import TrackStep
 from planes.lesson.false_plans import false_plan_step_words
 from planes.lesson.formulas import unit_of_name, value_slot
 from planes.lesson.rows import calculation_row
 from planes.plans import Plans
 from planes.plans.apart import LinkApart
 from planes.plans.law_words import law_in_words
-from planes.plans.position.bodies import SCHEME_PLAN
 from planes.words import Phrase, Told, Written
-from planes.words.names import Meaning, label_of, name_without_plan, plan_kind, plan_of
+from planes.words.names import SCHEME_PLAN, Mark, Meaning, PlanId, name_without_plan
 from planes.words.units import number_text
 
 Names = Mapping[str, Any]  # the contents of a sentence; all its numbers are in its texts and in its ``rows``
@@ -40,7 +39,7 @@ class StepWords:
             return words
         match step:
             case Put():
-                kind = plan_kind(step.makes)
+                kind = step.plan.kind
                 return "pole", f"pole_{kind}" if kind in ("force", "lever") else "pole", {}
             case LayOff():
                 return self.lay_off_words(step)
@@ -52,10 +51,10 @@ class StepWords:
                 if step.quantity_represented == "special":
                     return "special", "special", lines
                 return "cross", self.crossing_reason(step.makes), lines
-            case CutTrack():
+            case TrackStep():
                 return self.track_words(step)
             case CrossArc():  # a guide is known by a place
-                key = "arc" if name_without_plan(step.start) == label_of(step.start) else "arc_guide"
+                key = "arc" if name_without_plan(step.start) == step.start.label else "arc_guide"
                 return (
                     key,
                     "arc",
@@ -72,16 +71,16 @@ class StepWords:
             case Same():
                 return "same", "same", {"start": name_without_plan(step.of)}
             case Carry():
-                aside = plan_of(step.makes) == SCHEME_PLAN or self.made[step.first].quantity_represented == "false"
+                aside = step.plan == SCHEME_PLAN or self.made[step.first].quantity_represented == "false"
                 key = "carry" if step.quarter else "carry_aside" if aside else "carry_back"
                 return key, key, {}
             case Choose():
                 return "choose", "choose", {}
         raise AssertionError(step)
 
-    def track_words(self, step: CutTrack) -> Words:
+    def track_words(self, step: TrackStep) -> Words:
         """The crossing of a track with the line of the removed lead; for the others, their places then."""
-        drawn = (x for x in self.made.values() if isinstance(x, CutTrack) and x.holds == step.holds)
+        drawn = (x for x in self.made.values() if isinstance(x, TrackStep) and x.holds == step.holds)
         first = next(drawn).makes == step.makes
         key = "track_too" if not first else "track" if len(step.holds) == 3 else "track_both"
         leads = [h for h in step.holds if h.kind != "hinge" and (first or h.local == step.local)]
@@ -103,7 +102,7 @@ class StepWords:
         """Proportional division, or a similar figure."""
         ratio = complex(self.drawing[step.ratio])
         names = {"first": name_without_plan(step.start), "second": name_without_plan(step.end)}
-        if plan_kind(step.makes) == "position":
+        if step.plan.kind == "position":
             return "point", "along", names
         if abs(ratio.imag) > 1e-9 * abs(ratio):
             corners = dict(zip(("one", "two", "own"), self.similar_figure_points(step), strict=True))
@@ -127,11 +126,11 @@ class StepWords:
         for mark in (step.start, step.end, step.makes):
             yield next(p for p in own if mark in (named[p].velocity, named[p].acceleration))
 
-    def crossing_reason(self, mark: str) -> Told:
+    def crossing_reason(self, mark: Mark) -> Told:
         """Why the lines that cross at a mark have their directions."""
-        plan = plan_of(mark)
-        label = label_of(mark)
-        kind = plan_kind(plan)
+        plan = mark.plan
+        label = mark.label
+        kind = plan.kind
         for e in (e for e in self.plans.equations if e.plan == plan and kind != "position"):
             sought = [t for t in e.all_terms if t.direction and not t.length and not t.drawn]
             terms = [t for t in sought if label in (t.start, t.end)]
@@ -151,7 +150,7 @@ class StepWords:
 
     def lay_off_words(self, step: LayOff) -> Words:
         """A known vector: with the formula of its length if that was calculated."""
-        kind = plan_kind(step.makes)
+        kind = step.plan.kind
         mm = value_slot(step.length, "mm", step.mu)
         named = {"mm": mm, "way": laid_off_direction(self.plans.means[step.along])}
         source = self.made.get(step.length)
@@ -194,12 +193,13 @@ class StepWords:
 
     def laid_off_vector(self, step: LayOff) -> str:
         """The name of the vector a step lays off."""
-        plan = plan_of(step.makes)
-        label = label_of(step.makes)
+        plan = step.plan
+        label = step.label
         terms = [t for e in self.plans.equations if e.plan == plan for t in e.all_terms]
-        own = sorted(terms, key=lambda t: t.start != label_of(step.start))
-        named = (x.name for x in (*own, *self.plans.segments_by_plan.get(plan, ())) if x.end == label)
-        return next(named, label)
+        own = sorted(terms, key=lambda t: t.start != step.start.label)
+        named = [t.name for t in own if t.end == label]
+        named += [s.name for s in self.plans.segments_on(plan) if s.end == label]
+        return next(iter(named), label)
 
 
 def single_link_words(one: LinkApart, key: str) -> Names:
@@ -213,9 +213,9 @@ def without_repeats(phrases: Iterable[Phrase]) -> tuple[Phrase, ...]:
     return tuple({p.told(): p for p in phrases}.values())
 
 
-def plan_showing_step(step: Step) -> str:
+def plan_showing_step(step: Step) -> PlanId:
     """The plan of a mark (for a tangent, the scheme)."""
-    return plan_of(step.makes) or "position"
+    return step.plan or SCHEME_PLAN
 
 
 def displayed_term_name(equation: Equation, name: str) -> str:

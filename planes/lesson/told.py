@@ -21,7 +21,7 @@ from planes.solving import plans_and_requested_results
 from planes.words import Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.frozen import frozen
-from planes.words.names import full_mark_name
+from planes.words.names import PlanId, scheme_mark
 from planes.words.records import Json
 
 ZERO_TERM_TEST_POSITIONS = 180  # positions that decide which terms are zero
@@ -58,11 +58,11 @@ class SceneLesson:
         """By the points of sliders, those under them, each with the frame whose equation first needs it."""
         numbered = ((k, f.equation) for k, f in enumerate(self.frames) if f.key == "equation")
         stated = [(k, self.plans.equations[n]) for k, n in numbered if n is not None]
-        marks = {}
+        marks: Json = {}
         sliding = self.teller.stating.slider_of_vector
         for u in self.teller.stating.guided_points_by_motion.values():
             first = (k for k, e in stated if any(s and s.other == u.other for s in map(sliding, e.all_terms)))
-            marks[full_mark_name("position", u.point)] = {"name": u.other, "from": next(first, -1)}
+            marks[scheme_mark(u.point)] = {"name": u.other, "from": next(first, -1)}
         return marks
 
     @cached_property
@@ -142,9 +142,9 @@ def written_equation(plans: Plans, e: Equation) -> Json:
     return {"plan": e.plan, "total": total, "closed": False, "sides": sides}
 
 
-def _term_data(plans: Plans, plan: str, t: Term, sign: int) -> Json:
-    start, end = (full_mark_name(plan, label) for label in t.end_marks)
-    own = {"name": t.name, "start": start, "end": end, "at": full_mark_name(plan, t.end)}
+def _term_data(plans: Plans, plan: PlanId, t: Term, sign: int) -> Json:
+    start, end = plan.marks(*t.end_marks)
+    own = {"name": t.name, "start": start, "end": end, "at": plan.mark(t.end)}
     return {**own, "action": _line_of_action(plans, t), "known": t.known_part_count, "minus": sign < 0}
 
 

@@ -11,7 +11,7 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.lettering import parameter_lettering
-from planes.words.names import label_of
+from planes.words.names import Mark
 from planes.words.naming import Naming
 from planes.words.read_off import read_off_text
 
@@ -46,7 +46,7 @@ class TransferFunctions:
             column = one.quantity.columns[0]
             if column.part and column.end not in still:
                 yield self.transfer_row(
-                    [one], f"{self.segment_letters(*column.needed_names[:2])}{times}/{segment}", noise
+                    [one], f"{self.segment_letters(column.start, column.end)}{times}/{segment}", noise
                 )
 
     def transfer_row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
@@ -66,6 +66,6 @@ class TransferFunctions:
             if alike and isinstance(step := program.steps_by_result.get(vector), Measure):
                 yield alike, self.segment_letters(step.start, step.end), length
 
-    def segment_letters(self, start: str, end: str) -> str:
+    def segment_letters(self, start: Mark, end: Mark) -> str:
         """The letters of a segment of the plan."""
-        return "".join(self.naming.mark(label_of(x), TRANSFER_PLAN) for x in (start, end))
+        return "".join(self.naming.mark(x.label, TRANSFER_PLAN) for x in (start, end))

@@ -19,14 +19,14 @@ from planes.plans.other_leads import Restating, plans_with_sharp_leads
 from planes.plans.passive import plans_without_passive_links
 from planes.plans.passive_motion import LinkValues
 from planes.plans.position.assembly import choose_assembly_sides
-from planes.plans.position.bodies import Bodies, Body, scheme_mark
+from planes.plans.position.bodies import Bodies, Body
 from planes.plans.position.scheme import draw_scheme
 from planes.plans.proving import proofs_of
 from planes.plans.record import STILL_DRIVE_GIVEN, Plans, PointMarks, plans_cut_to_names, plans_with_passive_links
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase, Written
 from planes.words.errors import ProgramError, SceneError, StructureError
-from planes.words.names import mu_name
+from planes.words.names import ACCELERATION_PLAN, MOTION_PLAN, VELOCITY_PLAN, scheme_mark
 
 __all__ = ["STILL_DRIVE_GIVEN", "Plans", "PointMarks", "plans_cut_to_names", "plans_of", "structure_of"]
 
@@ -48,7 +48,7 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
         plans = _state_mechanism_plans(mechanism, structure, file)
     except ProgramError as error:
         raise SceneError(error.phrase, file, mechanism.where.get(("links",))) from None
-    refuse_unproved_drawing(plans.program, {**plans.given, **{mu_name(plan): 1.0 for plan in plans.plan_names}})
+    refuse_unproved_drawing(plans.program, {**plans.given, **{plan.mu_name: 1.0 for plan in plans.plan_names}})
     return plans
 
 
@@ -73,10 +73,10 @@ def _plans_for_scheme(bodies: Bodies) -> Plans:
     """All plans, for a given scheme."""
     mechanism = bodies.mechanism
     draft = bodies.draft
-    velocity = Rates(bodies, "velocity")
-    acceleration = Rates(bodies, "acceleration")
+    velocity = Rates(bodies, VELOCITY_PLAN)
+    acceleration = Rates(bodies, ACCELERATION_PLAN)
     at_rest = mechanism.drive.velocity == 0
-    motion = Rates(bodies, "motion") if at_rest else velocity
+    motion = Rates(bodies, MOTION_PLAN) if at_rest else velocity
     for rates in (velocity, acceleration, *([motion] if at_rest else [])):
         draw_rates_plan(rates)
     acting = Acting(bodies, motion, acceleration, LawValues(bodies, velocity, acceleration))

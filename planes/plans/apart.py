@@ -8,7 +8,7 @@ from planes.plans import Plans
 from planes.plans.force.loads import name_of_force
 from planes.plans.force.reactions import Reaction
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, NameTuple, force_plan_links, force_plan_name, mu_name, vector_end_label
+from planes.words.names import POLE_LABEL, NameTuple, PlanId, vector_end_label
 
 
 @frozen
@@ -17,15 +17,15 @@ class LinkApart:
     polygon; each with its measured segment, and whether that is reversed."""
 
     link: str
-    group: str
+    group: PlanId
     force: str
     known: NameTuple
     reactions: dict[str, tuple[Reaction, bool]]
 
     @property
-    def plan(self) -> str:
+    def plan(self) -> PlanId:
         """The plan of this link, at the scale of its group's plan."""
-        return force_plan_name(self.link)
+        return PlanId("force", self.link)
 
     @property
     def polygon(self) -> bool:
@@ -69,15 +69,15 @@ class LinkApart:
         load = next(f for f in plans.acting.forces[self.link] if f.name == name)
         drawn = load.size in drawing and load.along in drawing
         if drawn:
-            return complex(drawing[load.size] * drawing[load.along] * drawing[mu_name(self.group)])
+            return complex(drawing[load.size] * drawing[load.along] * drawing[self.group.mu_name])
         return None
 
 
-def links_with_own_polygon(plans: Plans, plan: str) -> Iterator[LinkApart]:
+def links_with_own_polygon(plans: Plans, plan: PlanId) -> Iterator[LinkApart]:
     """A link for every reaction inside the group of a force plan: preferably one without another such reaction, and of
     two such links the one with fewer forces."""
     drives = plans.structure.drive_pairs
-    links = force_plan_links(plan)
+    links = plan.links
     own = {k: r for k, r in plans.reactions.items() if r.plan == plan}
     inner = {k: r for k, r in own.items() if {r.pair.link, r.pair.other} <= set(links)}
 

@@ -2,7 +2,7 @@
 
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import NamePair
+from planes.words.names import NO_MARK, Mark, NamePair
 
 
 @frozen
@@ -11,7 +11,7 @@ class CentreLine:
     centre at infinity gives the direction."""
 
     third: str
-    mark: str
+    mark: Mark
     along: str
     other: str = ""
 
@@ -23,7 +23,7 @@ class Centre:
 
     links: NamePair
     name: str
-    mark: str = ""
+    mark: Mark = NO_MARK
     along: str = ""
     lines: tuple[CentreLine, ...] = ()
     point: str = ""

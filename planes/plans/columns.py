@@ -5,21 +5,21 @@ from typing import NamedTuple
 from planes.drafting.tools import Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real, Truth
-from planes.words.names import NameTuple, mu_name, plan_of
+from planes.words.names import NO_MARK, Mark, NameTuple, plan_of
 
 
 class DriverVector(NamedTuple):
     """The driver's vector on the velocity plan: its ends, its line, and the radius of its rotation ("": it slides)."""
 
-    start: str
-    end: str
+    start: Mark
+    end: Mark
     along: str
     length: str
 
     def driver_speed(self, things: Things) -> Real:
         """The driver's speed as drawn: rad/s, or m/s where it slides."""
         drawn = things[self.end] - things[self.start]
-        mu = things[mu_name(plan_of(self.start))]
+        mu = things[self.start.plan.mu_name]
         speed = plane.dot(things[self.along], drawn) / mu
         return speed / things[self.length] if self.length else speed
 
@@ -32,8 +32,8 @@ class Column(NamedTuple):
     name: str
     unit: str
     value: str = ""
-    start: str = ""
-    end: str = ""
+    start: Mark = NO_MARK
+    end: Mark = NO_MARK
     part: str = ""
     beside: NameTuple = ()
     per: DriverVector | None = None
@@ -61,7 +61,7 @@ class Column(NamedTuple):
         if self.part:
             segment = things[self.end] - things[self.start]
             size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
-            return size / things[mu_name(plan_of(self.start))]
+            return size / things[self.start.plan.mu_name]
         if not self.value:
             return 0.0
         if self.beside:
@@ -74,4 +74,4 @@ class Column(NamedTuple):
         largest: Real = 0.0
         for mark in marks:
             largest = ar.maximum(largest, abs(things[mark]))
-        return abs(things[normal]) <= 1e-12 * largest / things[mu_name(plan_of(marks[0]))]
+        return abs(things[normal]) <= 1e-12 * largest / things[plan_of(marks[0]).mu_name]

@@ -7,7 +7,7 @@ from statistics import median
 from planes.drafting.drawing import Drawing, draw_until_failure
 from planes.drafting.program import Program
 from planes.drafting.tools import Things
-from planes.words.names import POLE_LABEL, label_of
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, PlanId
 
 Size = tuple[float, float]
 """The width and the height of a figure."""
@@ -16,16 +16,16 @@ MOST_GROWTH_RATIO = 3.5  # of the reach in the course of a full turn: beyond, fa
 DRAWN_REACH_RATIO = 1.3  # of the usual reach: positions farther off are not drawn then
 
 
-def plan_extent(drawing: Drawing, plan: str) -> float:
+def plan_extent(drawing: Drawing, plan: PlanId) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
     return max(plan_width_and_height(drawing, plan))
 
 
-def plan_width_and_height(drawing: Drawing, plan: str) -> Size:
+def plan_width_and_height(drawing: Drawing, plan: PlanId) -> Size:
     """The width and the height of the box around a plan's marks."""
-    made = drawing.program.mark_steps_by_plan.get(plan, ())
-    marks = [drawing[s.makes] for s in made if not s.is_outside_plan and label_of(s.makes) != POLE_LABEL]
-    if plan != "position":
+    made = drawing.program.mark_steps_on(plan)
+    marks = [drawing[s.makes] for s in made if not s.is_outside_plan and s.label != POLE_LABEL]
+    if plan != SCHEME_PLAN:
         marks.append(0j)
     return box_size(marks)
 
@@ -42,7 +42,7 @@ def box_size(places: Iterable[complex]) -> Size:
 def size_over_turn(program: Program, given: Things, drive: str, step: float, closed: bool) -> Size:
     """The size in SI of a scheme that is drawn in steps of the drive to both sides of its position, until one cannot be
     drawn; over a whole turn, if it is ``closed``."""
-    scheme = program.cut_to_names(s.makes for s in program.mark_steps_by_plan.get("position", ()))
+    scheme = program.cut_to_names(s.makes for s in program.mark_steps_on(SCHEME_PLAN))
     placed = [*_positions_on_side(scheme, given, drive, step), *_positions_on_side(scheme, given, drive, -step)]
     reaches = [max((abs(z - places[0]) for z in places), default=0.0) for places in placed]
     if not reaches:
@@ -60,4 +60,4 @@ def _positions_on_side(scheme: Program, given: Things, drive: str, step: float) 
         drawing, failure = draw_until_failure(scheme, {**given, drive: given[drive] + k * step})
         if failure:
             return
-        yield [drawing[s.makes] for s in scheme.mark_steps_by_plan.get("position", ()) if not s.is_outside_plan]
+        yield [drawing[s.makes] for s in scheme.mark_steps_on(SCHEME_PLAN) if not s.is_outside_plan]

@@ -14,9 +14,9 @@ from planes.scene import Scene
 from planes.words import Lang, capitalize_first_letter
 from planes.words.errors import PlanFailure
 from planes.words.lettering import plan_phrase
-from planes.words.names import NumbersByName, full_mark_name, label_of, mu_name, plan_kind
+from planes.words.names import NumbersByName, PlanId, label_of
 from planes.words.records import Json
-from planes.words.units import UNIT_OF_PLAN, mu_text
+from planes.words.units import mu_text
 
 BLUNT_CROSSING_SINE = math.sin(math.radians(15))
 
@@ -48,13 +48,13 @@ class DrawingReader:
             return None
         return self.finite_number(c.read_from_drawing(things, ar), c.value or c.end)
 
-    def measured_segments_of_plan(self, plan: str, names: set[str] | None = None) -> dict[str, Segment]:
+    def measured_segments_of_plan(self, plan: PlanId, names: set[str] | None = None) -> dict[str, Segment]:
         """The measured segments of a plan by their ends ("bc"), each once, only those of ``names`` if given.
 
         Where one segment is two vectors (v_C and v_CD of a fixed D), it is named as the point's own.
         """
         segments: dict[str, Segment] = {}
-        for s in self.stated.segments_by_plan.get(plan, ()):
+        for s in self.stated.segments_on(plan):
             there = all(end in self.drawing for end in s.ends)
             if s.start != s.end and there and (names is None or s.name in names):
                 key = s.start + s.end
@@ -64,40 +64,40 @@ class DrawingReader:
 
     def measurements_by_plan(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
         """The measurements on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
-        out = {}
+        out: Json = {}
         for plan in self.stated.plan_names:
             if plan in ("lever", "motion"):
                 continue
             sharpness = self.crossing_sharpness(plan)
             bluntest = self.bluntest_sharpness(plan)
             segments = {
-                key: self.measure_segment(s, bluntest, (errors or {}).get(f"{plan}:{key}"))
+                key: self.measure_segment(s, bluntest, (errors or {}).get(plan.mark(key)))
                 for key, s in self.measured_segments_of_plan(plan, names).items()
             }
             if segments:
-                mu = mu_text(self.scales[mu_name(plan)], plan_kind(plan))
+                mu = mu_text(self.scales[plan.mu_name], plan.kind)
                 out[plan] = {"mu": mu, "segments": segments, "sharpness": sharpness}
         return out
 
     def measure_segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> Json:
         """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
         tool = self.drawing.tool
-        mu = self.scales[mu_name(s.plan)]
-        start, end = (self.drawing[full_mark_name(s.plan, end)] for end in (s.start, s.end))
+        mu = self.scales[s.plan.mu_name]
+        start, end = (self.drawing[s.plan.mark(end)] for end in (s.start, s.end))
         length = self.finite_number(tool.read_length(abs(end - start)), s.name)
         if error_mm is None:
             error_mm = 8 * tool.ar.eps * (abs(start) + abs(end)) / bluntest
         sizes = {"mm": float(length), "value": float(length / mu)}
-        return {**sizes, "unit": UNIT_OF_PLAN[plan_kind(s.plan)], "error_mm": float(error_mm), "name": s.name}
+        return {**sizes, "unit": s.plan.unit, "error_mm": float(error_mm), "name": s.name}
 
-    def crossing_sharpness(self, plan: str) -> dict[str, float]:
+    def crossing_sharpness(self, plan: PlanId) -> dict[str, float]:
         """Sine of the angle at which the lines of each crossed mark meet."""
         program = self.drawing.program
         sharpness = self.drawing.crossing_sharpness
-        crossed = (s.makes for s in program.mark_steps_by_plan.get(plan, ()) if s.makes in sharpness)
-        return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trial_marks}
+        crossed = (s.makes for s in program.mark_steps_on(plan) if s.makes in sharpness)
+        return {name.label: float(sharpness[name]) for name in crossed if name not in program.trial_marks}
 
-    def bluntest_sharpness(self, plan: str) -> float:
+    def bluntest_sharpness(self, plan: PlanId) -> float:
         """The smallest sharpness, by which errors grow. Touching arcs have none, and their error is the root of a
         rounding error."""
         return max(min([1.0, *self.crossing_sharpness(plan).values()]), 2 * math.sqrt(self.drawing.tool.ar.eps))
@@ -108,12 +108,12 @@ def polar_json(z: complex) -> Json:
     return {"value": abs(z), "direction_deg": math.degrees(cmath.phase(z)), "xy": [z.real, z.imag]}
 
 
-def plan_name_in_words(plan: str, lang: Lang) -> str:
+def plan_name_in_words(plan: PlanId, lang: Lang) -> str:
     """The name of a plan in words."""
     return plan_phrase(plan).told(lang)
 
 
-def plan_title(plan: str, lang: Lang) -> str:
+def plan_title(plan: PlanId, lang: Lang) -> str:
     """The name of a plan for the beginning of a title."""
     return capitalize_first_letter(plan_name_in_words(plan, lang))
 

@@ -11,9 +11,9 @@ from planes.drafting.drawing import draw_program
 from planes.drafting.program import Program
 from planes.drafting.steps.by_leads import LEAST_FAIR_SHARPNESS_RATIO, ByLeads
 from planes.plans.assur.basic_links import Leads
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies
+from planes.plans.position.bodies import Bodies
 from planes.words.errors import PlanFailure
-from planes.words.names import mu_name
+from planes.words.names import SCHEME_PLAN
 
 Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
 
@@ -59,7 +59,7 @@ def plans_with_sharp_leads(plans: Stated, value: float) -> Stated:
         return plans
     program = plans.program.cut_to_names([name for step in crossings for name in step.sharp_directions])
     try:
-        things = draw_program(program, {**plans.given, mu_name(SCHEME_PLAN): 1.0, plans.drive_given_name: value}).things
+        things = draw_program(program, {**plans.given, SCHEME_PLAN.mu_name: 1.0, plans.drive_given_name: value}).things
     except PlanFailure:  # the same error will arise for the whole
         return plans
     first, turned = plans, set[Leads]()  # of basic links: their steps then have other names

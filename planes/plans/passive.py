@@ -18,7 +18,7 @@ from planes.drafting.instruments import InLists
 from planes.geometry.listed import Listed
 from planes.scene.mechanism import FRAME, Assembly, Link, Mechanism
 from planes.words.errors import PlanesError, SceneError
-from planes.words.names import full_mark_name
+from planes.words.names import scheme_mark
 
 Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
 # how far the driver is moved either way, relative to the mechanism's size if it slides
@@ -89,7 +89,7 @@ def _keeps_distance_without_link(plans: Any, link: Link) -> bool:
     points = [p for p in link.points if p in plans.mechanism.point_names]
     if len(points) != (1 if link.slides else 2):  # it is attached to another link left out
         return False
-    program = plans.program.cut_to_names([full_mark_name("position", p) for p in points])
+    program = plans.program.cut_to_names([scheme_mark(p) for p in points])
     reach = DRIVER_SHIFT_DEG if drive.rotates else DRIVER_SHIFT_RATIO * plans.longest_link_length
     held = False
     for side in (1.0, -1.0):  # a dead point, beyond which the assembly changes, may be near
@@ -98,11 +98,7 @@ def _keeps_distance_without_link(plans: Any, link: Link) -> bool:
             for k in range(DRIVER_POSITIONS_EACH_SIDE)
         )
         drawn = draw_program(program, {**plans.given, "mu_position": 1.0, plans.drive_given_name: values}, InLists())
-        apart = [
-            x
-            for x in _distance_error(plans.mechanism, link, [drawn[full_mark_name("position", p)] for p in points])
-            if x == x
-        ]
+        apart = [x for x in _distance_error(plans.mechanism, link, [drawn[scheme_mark(p)] for p in points]) if x == x]
         held |= (
             len(apart) >= LEAST_ASSEMBLED_POSITIONS
             and max(map(abs, apart)) <= DISTANCE_TOLERANCE_RATIO * plans.longest_link_length

@@ -2,11 +2,11 @@
 
 from planes.drafting.steps.reckoning import Protractor
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies
+from planes.plans.position.bodies import Bodies
 from planes.plans.position.reckoned import OwnPlace, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words.frozen import frozen
-from planes.words.names import Meaning
+from planes.words.names import ACCELERATION_PLAN, VELOCITY_PLAN, Meaning
 
 
 @frozen
@@ -28,13 +28,13 @@ def passive_link_values(b: Bodies, link: Link) -> LinkValues:
         return LinkValues(b.draft.add_step(Protractor(f"phi_{link.name}", axis)), "", "")
     one, two = held
     turned = direction_between_points(b.link_dimensions, OwnPlace(link.name, one), OwnPlace(link.name, two))
-    ray = b.draft.direction_between_marks(SCHEME_PLAN, one, two)
+    ray = b.draft.direction_between_marks(one, two)
     axis = b.draft.draw_turned_direction(f"x_{link.name}", ray, -turned, Meaning("own", link.name))
     across = b.draft.draw_perpendicular(ray)
     length = b.given_distance(link, one, two)
     angle_name = b.draft.add_step(Protractor(f"phi_{link.name}", axis))
     rates = []
-    for plan in (Rates(b, "velocity"), Rates(b, "acceleration")):
+    for plan in (Rates(b, VELOCITY_PLAN), Rates(b, ACCELERATION_PLAN)):
         ends = plan.mark(one), plan.mark(two)
         rate = b.draft.measure_segment(f"Δ{plan.letter}{link.name}", *ends, across)
         rates.append(b.draft.add_product(plan.spin(link.name), **{rate: 1, length: -1}))

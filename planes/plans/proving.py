@@ -13,11 +13,8 @@ from planes.drafting.steps.reckoning import Calculate
 from planes.plans.force.loads import name_of_force
 from planes.plans.force.reactions import Statics
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, force_plan_name, full_mark_name
-
-RATE_PLANS = ("velocity", "acceleration")
+from planes.words.names import RATE_PLANS, SCHEME_PLAN, PlanId, scheme_mark
 
 
 def proofs_of(s: Statics, velocity: Rates, acceleration: Rates, lever: str) -> tuple[Proof, ...]:
@@ -46,7 +43,7 @@ class _Motion:
 
     def frame_motion(self, link: str) -> LinkMotion:
         if link == FRAME:
-            return LinkMotion(Point(0j, tuple(full_mark_name(plan, POLE_LABEL) for plan in (SCHEME_PLAN, *RATE_PLANS))))
+            return LinkMotion(Point(0j, tuple(plan.pole for plan in (SCHEME_PLAN, *RATE_PLANS))))
         body = self.bodies.known[link]
         origin = self.proof_point(link, body.link.first_point)
         omega, epsilon = ("" if body.root == FRAME else r.spin(body.root) for r in self.rates)
@@ -76,7 +73,7 @@ def closing_proofs(draft: Draft) -> Iterator[Proof]:
     """The proof for every equation drawn: its vectors are as stated."""
     for e in draft.equations:
         stated = (t for t in e.all_terms if not t.drawn and (t.length or t.direction))
-        ends = ((t, full_mark_name(e.plan, t.start), full_mark_name(e.plan, t.end)) for t in stated)
+        ends = ((t, *e.plan.marks(t.start, t.end)) for t in stated)
         if rows := tuple((start, end, t.direction or "", t.sign, t.length or "") for t, start, end in ends):
             yield VectorProof(e.plan, e.equation_text, rows)
 
@@ -97,22 +94,16 @@ def _equilibrium_proofs(s: Statics) -> Iterator[Proof]:
         if drive.rotates and pair.has_link(link):
             couples.append((s.balancing, sign))
         elif pair.has_link(link):
-            plan = force_plan_name(drive.link)
+            plan = PlanId("force", drive.link)
             sides.append(
-                (
-                    full_mark_name(plan, name_of_force(drive.link, pair.other)),
-                    full_mark_name(plan, POLE_LABEL),
-                    sign,
-                    s.bodies.foot_on_guide(pair),
-                    "",
-                )
+                (plan.mark(name_of_force(drive.link, pair.other)), plan.pole, sign, s.bodies.foot_on_guide(pair), "")
             )
         groups = [plan for g in s.bodies.structure.groups for plan in g.links_by_force_plan if link in plan]
-        plan = force_plan_name(*(groups[0] if groups else (link,)))
+        plan = PlanId("force", *(groups[0] if groups else (link,)))
         yield Balanced(plan, link, tuple(forces), tuple(sides), tuple(couples))
 
 
 def _two_way_moment_proof(s: Statics, lever: str) -> Proof:
     made = (s.bodies.draft.steps[name] for name in (s.balancing, lever))
     terms = tuple(t for step in made if isinstance(step, Calculate) for t in step.terms)
-    return Twofold(force_plan_name(s.bodies.mechanism.drive.link), s.balancing, s.balancing, lever, terms)
+    return Twofold(PlanId("force", s.bodies.mechanism.drive.link), s.balancing, s.balancing, lever, terms)

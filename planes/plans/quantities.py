@@ -11,9 +11,8 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.transfers import transfer_functions
 from planes.scene.mechanism import FRAME
 from planes.words.errors import PlanesError, SceneError
-from planes.words.names import POLE_LABEL, NamePair, NameTuple, full_mark_name, plan_kind, plan_of, split_value_name
+from planes.words.names import NO_MARK, MarkPair, NameTuple, split_value_name
 from planes.words.records import Json
-from planes.words.units import UNIT_OF_PLAN
 
 MOTION_GROUPS = ("points", "links", "slides")
 RESULT_GROUPS = (*MOTION_GROUPS, "reactions")
@@ -150,7 +149,7 @@ def quantities_asked_for(plans: Plans, find: Iterable[str], file: str = "") -> l
 
 def _all_results(plans: Plans) -> Quantities:
     for name, ends in plans.vectors.items():
-        yield Quantity(name, _vector_columns(name, UNIT_OF_PLAN[plan_kind(ends[0])], ends), "vectors", name)
+        yield Quantity(name, _vector_columns(name, ends[0].plan.unit, ends), "vectors", name)
     for part in (_point_quantities, _link_quantities, _slide_quantities, _reaction_quantities, _balancing_quantities):
         yield from part(plans)
     yield from _derived_quantities(values_given_by_laws(plans))
@@ -164,9 +163,9 @@ def _results_and_intermediates(plans: Plans) -> Quantities:
     )
 
 
-def _vector_columns(name: str, unit: str, ends: NamePair | None) -> tuple[Column, ...]:
+def _vector_columns(name: str, unit: str, ends: MarkPair | None) -> tuple[Column, ...]:
     """Both components of a segment; zeros where there is none."""
-    start, end = ends or ("", "")
+    start, end = ends or (NO_MARK, NO_MARK)
     return tuple(Column(f"{name}_{part}", unit, "", start, end, part if ends else "") for part in "xy")
 
 
@@ -174,13 +173,7 @@ def _point_quantities(plans: Plans) -> Quantities:
     for point, m in plans.points.items():
         for letter, unit, mark in (("r", "m", m.position), ("v", "m/s", m.velocity), ("a", "m/s²", m.acceleration)):
             name = f"{letter}_{point}"
-            yield Quantity(
-                name,
-                _vector_columns(name, unit, (full_mark_name(plan_of(mark), POLE_LABEL), mark)),
-                "points",
-                point,
-                letter,
-            )
+            yield Quantity(name, _vector_columns(name, unit, (mark.plan.pole, mark)), "points", point, letter)
 
 
 def _link_quantities(plans: Plans) -> Quantities:
@@ -213,7 +206,7 @@ def _reaction_columns(plans: Plans, r: Reaction) -> tuple[Column, ...]:
     force = _vector_columns(r.key, "N", (r.start, r.end))
     if r.pair.kind == "R":
         return force
-    marks = tuple(s.makes for s in plans.program.mark_steps_by_plan.get(r.plan, ()))
+    marks = tuple(s.makes for s in plans.program.mark_steps_on(r.plan))
     arm = Column(f"{r.key}_arm", "m", r.arm, beside=(r.normal, *marks))
     return (*force, arm, Column(f"{r.key}_moment", "N·m", r.moment))
 
@@ -241,7 +234,7 @@ def _derived_quantities(values: Iterable[Derived]) -> Quantities:
 def _segment_quantities(plans: Plans) -> Quantities:
     for s in plans.segments:
         if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
-            size = Column(s.name, UNIT_OF_PLAN[plan_kind(s.plan)], "", *s.ends, "size")
+            size = Column(s.name, s.plan.unit, "", *s.ends, "size")
             yield Quantity(s.name, (size,), "plans", s.plan, s.name)
 
 

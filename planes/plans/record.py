@@ -24,18 +24,7 @@ from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen
-from planes.words.names import (
-    HELPER_MARK_KINDS,
-    Meaning,
-    NamePair,
-    NameTriple,
-    NameTuple,
-    force_plan_links,
-    force_plan_name,
-    full_mark_name,
-    mu_name,
-    plan_kind,
-)
+from planes.words.names import HELPER_MARK_KINDS, SCHEME_PLAN, Mark, MarkPair, Meaning, NameTuple, PlanId, PlanTuple
 from planes.words.naming import Naming
 from planes.words.records import Json
 
@@ -47,9 +36,9 @@ STILL_DRIVE_GIVEN = "°still"
 class PointMarks:
     """The marks of a point on the three plans (full names)."""
 
-    position: str
-    velocity: str
-    acceleration: str
+    position: Mark
+    velocity: Mark
+    acceleration: Mark
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,12 +64,12 @@ class Plans:
     reactions: Mapping[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
     balancing_force: str = ""  # on a turning driver, beside the moment
-    beside_force: NameTriple | None = None  # the frame's reaction to it by name, and its marks
+    beside_force: tuple[str, Mark, Mark] | None = None  # the frame's reaction to it by name, and its marks
     zhukovsky: str = ""
     at_rest: bool = False
     laws: Mapping[str, SceneError] = field(default_factory=dict)
     passive: tuple[Link, ...] = ()  # redundant ones: the mechanism is stated without them
-    vectors: Mapping[str, NamePair] = field(default_factory=dict)  # stated ones: their end marks
+    vectors: Mapping[str, MarkPair] = field(default_factory=dict)  # stated ones: their end marks
     values: Mapping[str, str] = field(default_factory=dict)  # computed from them: their names in the program
     figure: StaticsFigure | None = None  # of bodies in equilibrium: the lines beside the marks
     centres: tuple[Centre, ...] = ()  # of links, where requested, and the checks by them
@@ -160,24 +149,20 @@ class Plans:
         links = [x for n, x in self.mechanism.links.items() if n in self.links and not self.links[n].omega]
         return frozenset(fixed.union(*(x.points for x in links if fixed & {*x.points} and not x.slides)))
 
-    @cached_property
-    def segments_by_plan(self) -> dict[str, list[Segment]]:
-        """The measured segments of each plan."""
-        segments: dict[str, list[Segment]] = {}
-        for segment in self.segments:
-            segments.setdefault(segment.plan, []).append(segment)
-        return segments
+    def segments_on(self, plan: PlanId) -> list[Segment]:
+        """The measured segments of a plan."""
+        return [s for s in self.segments if s.plan == plan]
 
     def moment_equations_of_plan(self, links: NameTuple) -> list[Moments]:
         """The moment equations for the plan of some links, or else those of these links alone."""
-        plan = force_plan_name(*links)
+        plan = PlanId("force", *links)
         plan_of_term = {t.name: e.plan for e in self.equations for t in e.all_terms}
         alone = self.moment_equations_on_links(links)
         return [m for m in self.moments if plan_of_term.get(m.unknown, plan if m in alone else "") == plan]
 
     def moment_equations_on_links(self, links: NameTuple) -> list[Moments]:
         """The moment equations for forces on some links, or on more where these have no plan."""
-        fewer = [f for f in map(set, map(force_plan_links, self.force_plans)) if f < set(links)]
+        fewer = [f for f in (set(plan.links) for plan in self.force_plans) if f < set(links)]
         return [m for m in self.moments if set(m.links) <= set(links) and not any(set(m.links) <= f for f in fewer)]
 
     @property
@@ -199,18 +184,18 @@ class Plans:
     def turn_size(self) -> Size:
         """The size of the scheme over a turn of the driver, or as far as it moves, in m."""
         step = 360.0 / TURN_POSITIONS if self.drive.rotates else self.longest_link_length / TURN_POSITIONS
-        given = {**self.given, mu_name("position"): 1.0, self.drive_given_name: self.drive.position}
+        given = {**self.given, SCHEME_PLAN.mu_name: 1.0, self.drive_given_name: self.drive.position}
         return size_over_turn(self.program, given, self.drive_given_name, step, self.drive.rotates)
 
     @property
-    def plan_names(self) -> NameTuple:
+    def plan_names(self) -> PlanTuple:
         """Plans in drawing order: position, velocity, acceleration, force:2-3, …, force:1."""
         return tuple(self.program.mark_steps_by_plan)
 
     @property
-    def force_plans(self) -> NameTuple:
+    def force_plans(self) -> PlanTuple:
         """The force plans in drawing order."""
-        return tuple(plan for plan in self.plan_names if plan_kind(plan) == "force")
+        return tuple(plan for plan in self.plan_names if plan.is_force)
 
 
 def plans_with_passive_links(plans: Plans) -> Plans:
@@ -228,11 +213,7 @@ def plans_cut_to_names(plans: Plans, wanted: list[str]) -> Plans:
     measurements need."""
     made = plans.program.cut_to_names(wanted).result_names
     terms = ((e.plan, t) for e in plans.equations for t in e.all_terms)
-    lying = [
-        t.direction
-        for plan, t in terms
-        if t.direction and {full_mark_name(plan, t.start), full_mark_name(plan, t.end)} <= made
-    ]
+    lying = [t.direction for plan, t in terms if t.direction and {*plan.marks(t.start, t.end)} <= made]
     program = plans.program.cut_to_names(wanted + lying)
     segments = tuple(s for s in plans.segments if {*s.ends} <= program.result_names)
     return replace(plans, program=program, segments=segments, uncut=plans.uncut or plans)

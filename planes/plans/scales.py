@@ -16,7 +16,16 @@ from planes.plans.extents import plan_extent
 from planes.plans.sheet_room import SheetRoom
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
-from planes.words.names import NumbersByName, full_mark_name, mu_name, plan_kind
+from planes.words.names import (
+    ACCELERATION_PLAN,
+    LEVER_PLAN,
+    MOTION_PLAN,
+    NO_PLAN,
+    VELOCITY_PLAN,
+    NumbersByName,
+    PlanId,
+    scheme_mark,
+)
 from planes.words.units import standard_mu, standard_scale
 
 PLAN_FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
@@ -44,22 +53,22 @@ def plan_sizes_on_format(sheet: Mapping[str, object]) -> NumbersByName | None:
     return {kind: share * mm for kind, mm in PLAN_FIT_MM.items()}
 
 
-def scale_leaders(sizes: NumbersByName, fit_mm: NumbersByName = PLAN_FIT_MM) -> dict[str, str]:
+def scale_leaders(sizes: Mapping[PlanId, float], fit_mm: NumbersByName = PLAN_FIT_MM) -> dict[PlanId, PlanId]:
     """For each plan, given the sizes in SI, the plan whose μ it shares. Force plans share one, since forces are carried
     from one to another: that of the largest plan. Those too small at it share the μ of the largest among them."""
-    forces = sorted((p for p in sizes if plan_kind(p) == "force"), key=lambda p: -sizes[p])
+    forces = sorted((p for p in sizes if p.is_force), key=lambda p: -sizes[p])
     small = [
         p
         for p in forces
         if 0.0 < sizes[p] * largest_fitting_scale(p, sizes[forces[0]], fit_mm["force"]) < LEAST_FORCE_PLAN_MM
     ]
     leader_of = {plan: forces[0] if plan in forces else plan for plan in sizes}
-    return leader_of | dict.fromkeys(small, next(iter(small), ""))
+    return leader_of | dict.fromkeys(small, next(iter(small), NO_PLAN))
 
 
 def unit_scales_of_plans(plans: Plans) -> dict[str, float]:
     """Every μ as 1 mm per SI unit: a drawing in SI, to find the sizes."""
-    return {mu_name(plan): 1.0 for plan in plans.plan_names}
+    return {plan.mu_name: 1.0 for plan in plans.plan_names}
 
 
 def drawn_in_si(plans: Plans, value: Real, program: Program | None = None) -> Drawing:
@@ -124,30 +133,31 @@ class ScaleChoice:
         return PLAN_FIT_MM
 
     @cached_property
-    def open_plan_sizes_si(self) -> NumbersByName:
+    def open_plan_sizes_si(self) -> Mapping[PlanId, float]:
         """The sizes in SI of the plans whose μ the scene leaves open."""
-        names = [p for p in self.plans.plan_names if p != "lever" and not self.said.get(plan_kind(p))]
+        names = [p for p in self.plans.plan_names if p != LEVER_PLAN and not self.said.get(p.kind)]
         return {plan: _plan_size_si(self.plans, self.drawing, plan) for plan in names}
 
     def scales_at(self, fit_mm: NumbersByName) -> dict[str, float]:
         """Every μ for some sizes of plans."""
         sizes = self.open_plan_sizes_si
-        chosen = {mu_name(p): mu for p in self.plans.plan_names if (mu := self.said.get(plan_kind(p))) and p != "lever"}
+        named = [p for p in self.plans.plan_names if p != LEVER_PLAN]
+        chosen = {p.mu_name: mu for p in named if (mu := self.said.get(p.kind))}
         for plan, leader in scale_leaders(sizes, fit_mm).items():
-            mm = fit_mm[plan_kind(plan)]
-            chosen[mu_name(plan)] = mu = largest_fitting_scale(plan, sizes[leader], mm)
+            mm = fit_mm[plan.kind]
+            chosen[plan.mu_name] = mu = largest_fitting_scale(plan, sizes[leader], mm)
             if plan == "position" and mm >= PLAN_FIT_MM[plan] and mu * self._shortest_link < LEAST_LINK_MM:
                 larger = max(mm, SHORT_LINK_SIZE_RATIO * PLAN_FIT_MM[plan])
-                chosen[mu_name(plan)] = largest_fitting_scale(plan, sizes[leader], larger)
-        if "lever" in self.plans.plan_names:
-            chosen[mu_name("lever")] = chosen[mu_name("motion" if self.plans.at_rest else "velocity")]
+                chosen[plan.mu_name] = largest_fitting_scale(plan, sizes[leader], larger)
+        if LEVER_PLAN in self.plans.plan_names:
+            chosen[LEVER_PLAN.mu_name] = chosen[(MOTION_PLAN if self.plans.at_rest else VELOCITY_PLAN).mu_name]
         return chosen
 
     @cached_property
     def _shortest_link(self) -> float:
         """The length of the shortest link from its first point to the farthest other, its mass centre aside, in SI."""
         links = self.plans.mechanism.links.values()
-        marks = ([full_mark_name("position", p) for p in link.points if p != link.centre] for link in links)
+        marks = ([scheme_mark(p) for p in link.points if p != link.centre] for link in links)
         places = [[self.drawing[m] for m in names if m in self.drawing] for names in marks]
         return min((max(abs(z - one[0]) for z in one[1:]) for one in places if len(one) > 1), default=math.inf)
 
@@ -158,13 +168,13 @@ def largest_fitting_scale(plan: str, size: float, fit_mm: float) -> float:
     return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
 
 
-def _plan_size_si(plans: Plans, drawing: Drawing, plan: str) -> float:
+def _plan_size_si(plans: Plans, drawing: Drawing, plan: PlanId) -> float:
     """The size of a plan in SI; zero for a force polygon with only the rounding of inertia and weight."""
     size = plan_extent(drawing, plan)
     m = plans.mechanism
-    if plan_kind(plan) == "force" and "acceleration" in plans.plan_names:
+    if plan.is_force and "acceleration" in plans.plan_names:
         mass = sum(link.mass or 0.0 for link in m.links.values())
-        if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, "acceleration")):
+        if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, ACCELERATION_PLAN)):
             return size
         return 0.0
     return size

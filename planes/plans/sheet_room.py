@@ -12,7 +12,7 @@ from planes.drafting.drawing import Drawing
 from planes.plans import Plans
 from planes.plans.extents import Size, box_size, plan_width_and_height
 from planes.words.frozen import frozen
-from planes.words.names import NameTuple, NumbersByName, force_plan_links, full_mark_name, mu_name, plan_kind
+from planes.words.names import RATE_PLANS, SCHEME_PLAN, VELOCITY_PLAN, NameTuple, NumbersByName, PlanId, scheme_mark
 
 ROOM_ON_FORMATS = ((169e3, (122e3, 142e3)), (354e3, (167e3, 256e3)))
 """Of A2 and A1, mm²: the most that was held, and what is surely held with larger letters, and with smaller ones."""
@@ -31,7 +31,7 @@ SECOND_SHEET_TEXT_MM2, FORCE_VECTOR_MM2 = 4.7e3, 4300.0
 class FigureBox:
     """A figure of a sheet: the plan whose μ it has, its size in SI, and the margin around it in mm."""
 
-    plan: str
+    plan: PlanId
     size: Size
     margin: float
 
@@ -45,7 +45,7 @@ class SheetContents:
 
     def area_mm2(self, scales: NumbersByName) -> float:
         """The area they need at some scales; figures of nothing need none."""
-        sized = [(scales[mu_name(f.plan)], f.size, f.margin) for f in self.figures if any(f.size)]
+        sized = [(scales[f.plan.mu_name], f.size, f.margin) for f in self.figures if any(f.size)]
         return self.text_mm2 + sum((mu * wide + m) * (mu * high + m) for mu, (wide, high), m in sized)
 
 
@@ -83,9 +83,9 @@ class SheetRoom:
     @cached_property
     def first_sheet(self) -> "SheetContents":
         """The scheme over a turn, the rate plans, their equations, diagrams and tables."""
-        plans = [p for p in self.plans.plan_names if plan_kind(p) in ("velocity", "acceleration")]
-        listed = sum(len(self.plans.segments_by_plan.get(p, ())) for p in plans)
-        figures = [FigureBox("position", self.plans.turn_size, FIGURE_MARGIN_MM)]
+        plans = [p for p in self.plans.plan_names if p in RATE_PLANS]
+        listed = sum(len(self.plans.segments_on(p)) for p in plans)
+        figures = [FigureBox(SCHEME_PLAN, self.plans.turn_size, FIGURE_MARGIN_MM)]
         figures += [self._figure_of_plan(p, FIGURE_MARGIN_MM) for p in plans]
         return SheetContents(figures, FIRST_SHEET_TEXT_MM2 + RATE_VECTOR_MM2 * listed)
 
@@ -95,20 +95,20 @@ class SheetRoom:
         plans = self.plans.force_plans
         if not plans:
             return SheetContents([], 0.0)
-        figures = [self._figure_of_plan(p, FIGURE_MARGIN_MM) for p in ("position", "velocity")]
+        figures = [self._figure_of_plan(p, FIGURE_MARGIN_MM) for p in (SCHEME_PLAN, VELOCITY_PLAN)]
         figures += [self._figure_of_plan(p, 0.0) for p in plans]
-        figures += [self._figure_of_links(force_plan_links(p), GROUP_MARGIN_MM) for p in plans]
-        listed = sum(len(self.plans.segments_by_plan.get(p, ())) for p in plans)
+        figures += [self._figure_of_links(p.links, GROUP_MARGIN_MM) for p in plans]
+        listed = sum(len(self.plans.segments_on(p)) for p in plans)
         return SheetContents(figures, SECOND_SHEET_TEXT_MM2 + FORCE_VECTOR_MM2 * listed)
 
-    def _figure_of_plan(self, plan: str, margin: float) -> "FigureBox":
+    def _figure_of_plan(self, plan: PlanId, margin: float) -> "FigureBox":
         return FigureBox(plan, plan_width_and_height(self.drawing, plan), margin)
 
     def _figure_of_links(self, links: NameTuple, margin: float) -> "FigureBox":
         """A figure of some links at the scale of the scheme."""
         known = self.plans.mechanism.links
-        names = {full_mark_name("position", p) for x in links if x in known for p in known[x].points}
-        return FigureBox("position", box_size(self.drawing[n] for n in names if n in self.drawing), margin)
+        names = {scheme_mark(p) for x in links if x in known for p in known[x].points}
+        return FigureBox(SCHEME_PLAN, box_size(self.drawing[n] for n in names if n in self.drawing), margin)
 
 
 def _room_held(area: float) -> float:

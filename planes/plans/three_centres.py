@@ -15,10 +15,9 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Same
 from planes.drafting.steps.apart import CrossApart, ThroughApart
 from planes.plans.centres import Centre, CentreLine, Check, instant_centre_name
-from planes.plans.position.bodies import scheme_mark
 from planes.plans.record import Plans
 from planes.scene.mechanism import FRAME
-from planes.words.names import Meaning, NamePair, NameTuple, plan_of
+from planes.words.names import NO_MARK, Mark, Meaning, NamePair, NameTuple, scheme_mark
 
 
 @dataclass
@@ -67,7 +66,7 @@ class Centres:
         elif not along:
             one, two = lines
             self.draft.add_step(CrossApart(mark, one.mark, one.along, two.mark, two.along, means=means))
-        self.found[frozenset((i, j))] = Centre((i, j), name, "" if along else mark, along, lines, point)
+        self.found[frozenset((i, j))] = Centre((i, j), name, NO_MARK if along else mark, along, lines, point)
 
     def find_centre_by_lines(self, i: str, j: str) -> None:
         """The centre of two links from the known ones, if they determine it."""
@@ -124,7 +123,7 @@ class Centres:
         own = (p for p in self.plans.mechanism.links[link].points if p not in self.plans.fixed_points)
         return [p for p in own if f"v_{p}" in shown and scheme_mark(p) in self.draft.steps][:1]
 
-    def spin_and_centre_distance(self, link: str, label: str, mark: str) -> NamePair | None:
+    def spin_and_centre_distance(self, link: str, label: str, mark: Mark) -> NamePair | None:
         """ω of a turning link and the distance of a mark from its centre with the frame, where that is a mark."""
         omega = self.plans.links[link].omega
         pole = self.centre_with_frame(link)
@@ -147,7 +146,7 @@ def plans_with_instant_centres(plans: Plans) -> Plans:
     new = [s for name, s in draft.steps.items() if name not in before]
     reads = {name for s in new for name, _ in s.input_names()}
     steps = plans.program.steps
-    last = max(k for k, s in enumerate(steps) if s.makes in reads or plan_of(s.makes) == "velocity")
+    last = max(k for k, s in enumerate(steps) if s.makes in reads or s.plan == "velocity")
     program = Program((*steps[: last + 1], *new, *steps[last + 1 :]), plans.program.proofs)
     means = {**plans.means, **{s.makes: s.means for s in new if s.means}}
     return replace(plans, program=program, means=means, centres=tuple(centres.found.values()), checks=checks)

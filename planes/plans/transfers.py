@@ -11,9 +11,9 @@ from planes.plans import Plans
 from planes.plans.columns import DriverVector
 from planes.plans.force.derived import Derived
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, with_analogue_in_index
+from planes.words.names import POLE_LABEL, VELOCITY_PLAN, NamesByName, with_analogue_in_index
 
-TRANSFER_PLAN = "velocity"
+TRANSFER_PLAN = VELOCITY_PLAN
 
 
 def vector_giving_driver_rate(plans: Plans) -> DriverVector | None:
@@ -26,9 +26,7 @@ def vector_giving_driver_rate(plans: Plans) -> DriverVector | None:
     if drive.kind == "s":
         slide = plans.velocity_slides.get(drive.link)
         return DriverVector(*slide.ends, slide.along, "") if slide else None
-    for laid in (
-        s for s in steps.values() if isinstance(s, LayOff) and s.start == full_mark_name(TRANSFER_PLAN, POLE_LABEL)
-    ):
+    for laid in (s for s in steps.values() if isinstance(s, LayOff) and s.start == TRANSFER_PLAN.pole):
         value = steps.get(laid.length)
         factors = value.terms[0].factors if isinstance(value, Calculate) and len(value.terms) == 1 else ()
         if len(factors) == 2 and factors[0] == (drive.rate_names[0], 1) and factors[1][1] == 1:
@@ -52,26 +50,21 @@ def transfer_functions(plans: Plans) -> Iterator[Derived]:
             (with_analogue_in_index(transfer_ratio_name(plans, link)), f"omega_q{link}", f"omegaq_{link}")
         )
         yield Derived((*names,), units["omega"], plans.links[link].omega, "transfers", per=vector)
-    named = {label_of(marks.velocity): point for point, marks in plans.points.items()}
+    named = {marks.velocity.label: point for point, marks in plans.points.items()}
     parts = {t.end for e in plans.equations for t in e.all_terms if t.means and t.means.quantity == "relative"}
     supposed = {mark for mark, meant in plans.means.items() if meant.quantity == "false"}
     for end in dict.fromkeys(
-        s.end for s in plans.segments_by_plan.get(TRANSFER_PLAN, ()) if s.start == POLE_LABEL != s.end not in parts
+        s.end for s in plans.segments_on(TRANSFER_PLAN) if s.start == POLE_LABEL != s.end not in parts
     ):
-        mark = full_mark_name(TRANSFER_PLAN, end)
+        mark = TRANSFER_PLAN.mark(end)
         if mark != vector.end and mark not in supposed:
             name = f"vq_{named.get(end) or end.upper()}"
             yield Derived(
-                (with_analogue_in_index(name), name),
-                units["v"],
-                "",
-                "transfers",
-                (full_mark_name(TRANSFER_PLAN, POLE_LABEL), mark),
-                vector,
+                (with_analogue_in_index(name), name), units["v"], "", "transfers", (TRANSFER_PLAN.pole, mark), vector
             )
 
 
-def analogue_units(turns: bool) -> dict[str, str]:
+def analogue_units(turns: bool) -> NamesByName:
     """Units of the analogues: the derivatives by an angle in radians, or by metres."""
     if turns:
         return {"v": "m", "a": "m", "omega": "1", "epsilon": "1"}

@@ -8,6 +8,7 @@ from planes.scene.reader import MAX_NAME_LENGTH, Fields, Reader, part_in_words, 
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, available_languages, fallback_languages
 from planes.words.errors import quoted_excerpt
+from planes.words.names import NameTuple
 from planes.words.units import PLANS_WITH_MU, Convention, UnitError, plan_and_convention_of_mu, read_mu
 
 Words = dict[str, str]
@@ -120,7 +121,7 @@ def written_mu_convention(table: SourceTable) -> Convention | None:
     return next((plan_and_convention_of_mu(node.text)[1] for node in said if not node.is_blank), None)
 
 
-def read_names_to_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
+def read_names_to_find(reader: Reader, node: Node | None) -> NameTuple | None:
     """Names of the results asked for; whether they exist is checked later."""
     if node is None:
         return None

@@ -8,7 +8,7 @@ from planes.geometry.arithmetic import Real
 from planes.scene.expressions import ExpressionParser
 from planes.words import Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NumbersByName
+from planes.words.names import NameTuple, NumbersByName
 
 Factors = tuple[tuple[str, int], ...]
 MOST_AMOUNT_TERMS = 200
@@ -25,7 +25,7 @@ class VectorAmount:
     terms: tuple[tuple[float, Factors], ...]
 
     @property
-    def names_read(self) -> tuple[str, ...]:
+    def names_read(self) -> NameTuple:
         """The names it is computed from."""
         return tuple(dict.fromkeys(name for _, factors in self.terms for name, _ in factors))
 

@@ -8,7 +8,7 @@ from planes.scene.expressions import evaluate_expression
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
-from planes.words.names import POLE_LABEL, NamePair, NameTuple
+from planes.words.names import NO_PLAN, POLE_LABEL, NamePair, NameTuple, PlanId
 
 VECTOR_NAME_PATTERN = r"[^\W\d][\w^'′″]*"
 _RATE_VECTOR_PATTERN = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
@@ -40,7 +40,7 @@ class VectorEquation:
     text: str
     sides: tuple[Side, ...]
     line: int = field(default=0, compare=False)
-    plan: str = ""  # the plan it is drawn on, if the scene names one: "force:2-3"
+    plan: PlanId = NO_PLAN  # the plan it is drawn on, if the scene names one: "force:2-3"
 
     @property
     def vector_names(self) -> NameTuple:

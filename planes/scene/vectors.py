@@ -15,7 +15,7 @@ from planes.scene.vector_equations import VECTOR_NAME_PATTERN, VectorEquation, r
 from planes.words import Phrase, Told
 from planes.words.errors import EquationError, ExpressionError, SceneError, list_valid_choices, quoted_excerpt
 from planes.words.frozen import field, frozen, replace
-from planes.words.names import NamePair, NumbersByName, split_reversal_sign
+from planes.words.names import NamePair, NumbersByName, PlanId, split_reversal_sign
 
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
 _VECTOR_NAME_REGEX = re.compile(VECTOR_NAME_PATTERN)
@@ -227,7 +227,7 @@ class StatementReader:
             (plan, own), *more = node.entries.items() or [("", node)]
             if more or not _FORCE_PLAN_PATTERN.fullmatch(plan):
                 raise self.reader.error_by_key("no_such_plan", node, plan=quoted_excerpt(plan))
-            return replace(self.read_one_equation(own, what), plan=plan)
+            return replace(self.read_one_equation(own, what), plan=PlanId.read(plan))
         text = self.reader.read_text(node, what).strip()
         if "=" not in text:
             raise self.reader.error_by_key("not_equation", node, text=quoted_excerpt(text))

@@ -31,7 +31,7 @@ from planes.solving.warned import accuracy_warnings
 from planes.words import Lang, Phrase, Written
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, NumbersByName, label_of, split_value_name
+from planes.words.names import POLE_LABEL, MarkPair, NumbersByName, PlanId, split_value_name
 from planes.words.records import Json, Pictured, Tabulated
 
 _GET_VECTOR = attrgetter("vector")
@@ -102,13 +102,13 @@ class Position(Pictured, Tabulated):
         require_known_name(group, BALANCING_LOAD_NAMES)
         return next((f.number for f in self.found if f.quantity.group == group), None)
 
-    def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:
+    def measured_on(self, plan: PlanId) -> Iterator[tuple[str, Segment, Json]]:
         """The segments of a plan, without those of points that never move; a whole velocity or acceleration vector is
         named by its point. Raises :class:`UnknownName`, a KeyError, for an unknown plan."""
         require_known_name(plan, self.results["plans"])
         moving = self.plans.points.items() if plan in ("velocity", "acceleration") else ()
-        points = {label_of(getattr(marks, plan)): p for p, marks in moving}
-        for s in self.plans.segments_by_plan.get(plan, ()):
+        points = {getattr(marks, plan).label: p for p, marks in moving}
+        for s in self.plans.segments_on(plan):
             segment = self.results["plans"][plan]["segments"].get(s.start + s.end)
             if segment and segment["name"] == s.name:
                 is_total = (
@@ -296,7 +296,7 @@ def solve_position(
         parts = [
             (plan, key, s) for plan in plans.plan_names for key, s in reader.measured_segments_of_plan(plan).items()
         ]
-        spans = {f"{plan}:{key}": s.ends for plan, key, s in parts}
+        spans: dict[str, MarkPair] = {plan.mark(key): s.ends for plan, key, s in parts}
         errors = length_scatter_mm(plans.program, given, plans.drive_given_name, instrument, spans)
     drawn = reader.measurements_by_plan(names, errors)
     if drawn or wanted is None:

@@ -12,7 +12,6 @@ from planes.solving import Position
 from planes.solving.own_equations import check_own_equations, mechanism_vectors, plan_kind_of_vector
 from planes.words import Phrase, Written, available_languages, say
 from planes.words.errors import SceneError
-from planes.words.names import mu_name, plan_kind
 from planes.words.records import Json
 from planes.words.units import mu_text
 
@@ -68,7 +67,9 @@ def _scene_text(scene: Scene, position: Position, given: Mapping[str, Json]) -> 
     own = {plan_kind_of_vector(e.vector_names[0]) for e in scene.equations}
     mus = position.scales
     scales = {
-        k: {"mu": mu_text(mus[mu_name(p)], k)} for p in position.plans.segments_by_plan if (k := plan_kind(p)) in own
+        k: {"mu": mu_text(mus[p.mu_name], k)}
+        for p in dict.fromkeys(s.plan for s in position.plans.segments)
+        if (k := p.kind) in own
     }
     vectors = {**_vectors_with_directions(position, given), **given}
     head = scene_file_text({"planes": 1, "title": title, "vectors": vectors, "plans": scales})

@@ -9,7 +9,7 @@ from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.solving import Position
 from planes.words.frozen import field, frozen
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import NO_PLAN, NamePair, NameTuple, PlanId
 
 
 @frozen
@@ -47,7 +47,7 @@ class Paragraph:
 
     text: str
     number: int = 0
-    plan: str = ""
+    plan: PlanId = NO_PLAN
     why: bool = False
     mistake: bool = False
 

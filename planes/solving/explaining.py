@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from planes.drafting.steps import Step
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import TrackStep
 from planes.plans.measuring import scene_lettering
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
@@ -44,7 +44,7 @@ def _step_lines(steps: Iterable[Step], lang: Lang) -> Iterator[str]:
 
 def _branch_series_names(step: Step) -> set[str]:
     """The names of the series of an assembly: numbers that the user never gives."""
-    if isinstance(step, CutTrack):
+    if isinstance(step, TrackStep):
         return {name for name, _ in step.guess.input_names()} - {step.guess.drive}
     return set()
 

@@ -18,9 +18,9 @@ from planes.solving.given_rows import GivenRow, are_numbers_equal, gives_same_qu
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.lettering import parameter_lettering
-from planes.words.names import UNIT_OF_LOADING, NumbersByName, letter_of, plan_kind
+from planes.words.names import UNIT_OF_LOADING, NumbersByName, letter_of
 from planes.words.naming import Naming
-from planes.words.units import UNIT_OF_PLAN, number_text, unit_of_parameter
+from planes.words.units import number_text, unit_of_parameter
 
 UNITS_IN_ROW_ORDER = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N/m", "N", "N·m", "units")
 """Units in the order of their rows."""
@@ -140,7 +140,7 @@ class GivenTable:
         given = self.plans_of_values.given
         drawn = self.position.drawing
         for name, (start, _) in self.plans_of_values.vectors.items():
-            for key, sign, unit in ((f"|{name}|", "", UNIT_OF_PLAN[plan_kind(start)]), (f"angle_∠{name}", "∠", "°")):
+            for key, sign, unit in ((f"|{name}|", "", start.plan.unit), (f"angle_∠{name}", "∠", "°")):
                 if key in given and key in drawn and not (unit == "N" and key in self.plans_of_values.means):
                     yield GivenRow(sign + self.naming.lettered_vector(name), float(given[key]), unit, place=bool(sign))
 

@@ -14,10 +14,10 @@ from planes.scene.vector_equations import SideTerm, VectorEquation
 from planes.words import Lang, Phrase, say
 from planes.words.errors import SceneError, list_valid_choices
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, NumbersByName, full_mark_name, mu_name, plan_kind, plan_of, split_value_name
+from planes.words.names import UNIT_OF_PLAN, Mark, NumbersByName, split_value_name
 from planes.words.read_off import read_off_text
 from planes.words.records import Json
-from planes.words.units import UNIT_OF_PLAN, number_text
+from planes.words.units import number_text
 
 CLOSED_GAP_RATIO = 1e-9  # of the largest vector: the gap below which an equation holds
 # of velocity and acceleration equations: these vectors are most often forgotten
@@ -102,18 +102,16 @@ def mechanism_vectors(plans: Plans, drawing: Drawing, scales: NumbersByName) -> 
     """Every vector of the mechanism by name: of points, of one point relative to another, components as on its plans,
     forces on links, reactions from either side."""
 
-    def between(start: str, end: str) -> complex:
-        return complex(drawing[end] - drawing[start]) / scales[mu_name(plan_of(end))]
+    def between(start: str, end: Mark) -> complex:
+        return complex(drawing[end] - drawing[start]) / scales[end.plan.mu_name]
 
     for letter, kind in (("v", "velocity"), ("a", "acceleration")):
         marks = ((p, getattr(m, kind)) for p, m in plans.points.items())
         there = {p: mark for p, mark in marks if mark in drawing}
         yield from ((f"{letter}_{p}{q}", between(there[q], there[p])) for p, q in permutations(there, 2))
-        yield from (
-            (f"{letter}_{p}", between(full_mark_name(plan_of(mark), POLE_LABEL), mark)) for p, mark in there.items()
-        )
-    for plan in (p for p in plans.plan_names if plan_kind(p) in ("velocity", "acceleration", "force")):
-        for s in plans.segments_by_plan.get(plan, ()):
+        yield from ((f"{letter}_{p}", between(mark.plan.pole, mark)) for p, mark in there.items())
+    for plan in (p for p in plans.plan_names if p.kind in ("velocity", "acceleration", "force")):
+        for s in plans.segments_on(plan):
             if all(e in drawing for e in s.ends):
                 yield s.name, between(*s.ends)
     for f in plans.acting.every:

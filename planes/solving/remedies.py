@@ -22,7 +22,7 @@ from planes.solving import (
 from planes.solving.nearest import can_be_drawn
 from planes.words import Lang, Written, say
 from planes.words.errors import PlanFailure
-from planes.words.names import mu_name, plan_kind
+from planes.words.names import PlanId
 from planes.words.units import mu_text
 
 FAR_NEIGHBOUR_DEG = 5.0
@@ -51,21 +51,21 @@ def position_at_released_scales(solved: Solved, p: Position) -> Position:
     none."""
     scene = solved.scene
     lang = solved.lang
-    large: dict[str, tuple[str, str, float, float]] = {}
+    large: dict[str, tuple[PlanId, str, float, float]] = {}
     reader = DrawingReader(p.plans, p.drawing, p.scales)
     for plan in p.plans.plan_names:
-        stated = scene.mu.get(plan_kind(plan))
+        stated = scene.mu.get(plan.kind)
         size = plan_extent(p.drawing, plan)
         blunt = {label: s for label, s in reader.crossing_sharpness(plan).items() if s < BLUNT_CROSSING_SINE}
-        if stated and blunt and size > MOST_PLAN_SIZE_RATIO * PLAN_FIT_MM[plan_kind(plan)]:
+        if stated and blunt and size > MOST_PLAN_SIZE_RATIO * PLAN_FIT_MM[plan.kind]:
             angle = math.degrees(math.asin(min(blunt.values())))
-            large.setdefault(plan_kind(plan), (plan, ", ".join(blunt), angle, size))
+            large.setdefault(plan.kind, (plan, ", ".join(blunt), angle, size))
     if not large:
         return p
     again = replace(solved, scene=_scene_with_open_scales(scene, large)).at(p.at)
     again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
-        said, now = (mu_text(x[mu_name(plan)], kind, lang, scene.mu_convention) for x in (p.scales, again.scales))
+        said, now = (mu_text(x[plan.mu_name], kind, lang, scene.mu_convention) for x in (p.scales, again.scales))
         parts = {
             "marks": marks,
             "angle_deg": Written(f"{angle:.2g}"),

@@ -20,10 +20,9 @@ from planes.solving.text_tables import (
 )
 from planes.words import Lang, home_lang, put_decimal_signs, say
 from planes.words.lettering import terminal_spelling
-from planes.words.names import label_of, plan_kind, plan_of
+from planes.words.names import PlanId, label_of
 from planes.words.naming import Naming
 from planes.words.records import Json
-from planes.words.units import UNIT_OF_PLAN
 
 Row = dict[str, Measured]
 
@@ -68,7 +67,7 @@ def position_table_lines(p: Position, lang: Lang, naming: Naming) -> list[str]:
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] > 1e-9 for s in plan["segments"].values()):
             lines += _plan_table(p, name, lang, naming)
-        elif plan_kind(name) == "force":
+        elif name.is_force:
             lines += [
                 "",
                 say("polygon_empty", lang, plan=plan_title_with_scale(p, name, lang, naming).partition(", μ")[0]),
@@ -165,7 +164,7 @@ def _slides_table(p: Position, lang: Lang, e: Json | None) -> list[str]:
     return aligned_table(say("slides", lang), head, rows)
 
 
-def _plan_table(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]:
+def _plan_table(p: Position, name: PlanId, lang: Lang, naming: Naming) -> list[str]:
     plan = p.results["plans"][name]
     e = p.results.get("errors")
     most = max((abs(s["value"]) for s in plan["segments"].values()), default=0.0)
@@ -184,7 +183,7 @@ def _plan_table(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]
                 *value,
             ]
         )
-    unit = say(UNIT_OF_PLAN[plan_kind(name)], lang)
+    unit = say(name.unit, lang)
     return aligned_table(
         plan_title_with_scale(p, name, lang, naming),
         ["", say("segment", lang), say("mm", lang), *error_column_head(e), unit, *error_column_head(e)],
@@ -266,7 +265,7 @@ def stated_vector_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
     e = p.results.get("errors")
     vectors = p.of("vectors")
     for plan in p.plans.plan_names:
-        own = [f for f in vectors.values() if plan_of(f.quantity.columns[0].start) == plan]
+        own = [f for f in vectors.values() if f.quantity.columns[0].start.plan == plan]
         most = max((abs(f.vector) for f in own), default=0.0)
         rows = []
         for f in own:
@@ -289,14 +288,7 @@ def stated_vector_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
             )
         lines += aligned_table(
             plan_title_with_scale(p, plan, lang, naming),
-            [
-                "",
-                say(UNIT_OF_PLAN[plan_kind(plan)], lang),
-                "∠°",
-                *error_column_head(e),
-                say("mm", lang),
-                *error_column_head(e),
-            ],
+            ["", say(plan.unit, lang), "∠°", *error_column_head(e), say("mm", lang), *error_column_head(e)],
             rows,
         )
     rows = []

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from planes.plans.measuring import plan_name_in_words
 from planes.solving import Position
 from planes.words import Lang
-from planes.words.names import mu_name, plan_kind
+from planes.words.names import PlanId
 from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mu_text, significant_digits_text
@@ -88,7 +88,7 @@ def error_column_head(errors: Json | None) -> list[str]:
     return [] if errors is None else ["±"]
 
 
-def plan_title_with_scale(p: Position, plan: str, lang: Lang, naming: Naming) -> str:
+def plan_title_with_scale(p: Position, plan: PlanId, lang: Lang, naming: Naming) -> str:
     """The title of a plan with its μ."""
-    mu = mu_text(p.scales[mu_name(plan)], plan_kind(plan), lang, naming.convention)
+    mu = mu_text(p.scales[plan.mu_name], plan.kind, lang, naming.convention)
     return f"{plan_name_in_words(plan, lang)}, μ = {mu}"

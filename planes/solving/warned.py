@@ -10,7 +10,7 @@ from planes.plans.quantities import Quantity, results_wanted
 from planes.words import Lang, Written, say
 from planes.words.frozen import replace
 from planes.words.lettering import terminal_spelling
-from planes.words.names import name_index
+from planes.words.names import ACCELERATION_PLAN, VELOCITY_PLAN, name_index
 
 
 def accuracy_warnings(reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Things, lang: Lang) -> list[str]:
@@ -47,7 +47,7 @@ def _blunt_mark_warnings(reader: DrawingReader, lang: Lang) -> dict[str, list[st
 def _faint_vector_names(reader: DrawingReader) -> Iterator[str]:
     """Velocities and accelerations of points without a correct digit: not zero, but negligible beside the largest of
     their plan."""
-    for letter, plan in (("v", "velocity"), ("a", "acceleration")):
+    for letter, plan in (("v", VELOCITY_PLAN), ("a", ACCELERATION_PLAN)):
         sizes = {}
         for point, marks in reader.stated.points.items():
             mark = marks.velocity if letter == "v" else marks.acceleration

@@ -16,7 +16,7 @@ from planes.scene.mechanism import FRAME, Guide, Link, Mechanism
 from planes.solving import plans_and_requested_results
 from planes.words import Phrase, text_in
 from planes.words.errors import PlanesError
-from planes.words.names import full_mark_name
+from planes.words.names import Mark, scheme_mark
 from planes.words.records import Json
 
 SAME_PLACE_M = 1e-7  # places this close are one
@@ -49,13 +49,9 @@ def sketch_of(scene: Scene) -> Json:
     }
 
 
-def marks_and_their_steps(plans: Plans) -> tuple[dict[str, str], Program]:
+def marks_and_their_steps(plans: Plans) -> tuple[dict[str, Mark], Program]:
     """The mark of each drawn point, and the steps for them."""
-    marks = {
-        p: mark
-        for p in plans.mechanism.point_names
-        if (mark := full_mark_name("position", p)) in plans.program.result_names
-    }
+    marks = {p: mark for p in plans.mechanism.point_names if (mark := scheme_mark(p)) in plans.program.result_names}
     return marks, plans.program.cut_to_names([*marks.values()])
 
 

@@ -11,7 +11,7 @@ from operator import attrgetter
 from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar, dataclass_transform
 
-__all__ = ["field", "frozen", "replace"]
+__all__ = ["field", "frozen", "refuse_assignment", "replace"]
 
 T = TypeVar("T")
 
@@ -35,7 +35,7 @@ def frozen(cls: type[T]) -> type[T]:
         return bool(values(self) == values(other)) if other.__class__ is self.__class__ else NotImplemented
 
     ours = {"__init__": _make_initialiser(cls), "__eq__": same, "__hash__": lambda self: hash(values(self))}
-    ours |= {"__repr__": _record_repr, "__setattr__": _refuse_assignment, "__delattr__": _refuse_assignment}
+    ours |= {"__repr__": _record_repr, "__setattr__": refuse_assignment, "__delattr__": refuse_assignment}
     own = {name: vars(cls)[name] for name in ours if vars(cls).get(name) is not None}
     for name, method in (ours | own).items():
         setattr(cls, name, method)
@@ -74,5 +74,6 @@ def _record_repr(self: Any) -> str:
     return f"{type(self).__qualname__}({', '.join(values)})"
 
 
-def _refuse_assignment(self: object, name: str, *value: object) -> NoReturn:
+def refuse_assignment(self: object, name: str, *value: object) -> NoReturn:
+    """The ``__setattr__`` of records."""
     raise FrozenInstanceError(f"cannot change field {name!r}")

@@ -9,7 +9,7 @@ and "→v_C".
 import re
 
 from planes.words import Phrase, Told
-from planes.words.names import force_plan_links, label_of, letter_of, plan_kind, written_direction
+from planes.words.names import Mark, PlanId, label_of, letter_of, written_direction
 
 _GREEK_LETTER_NAMES = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta", "rho")
 GREEK_LETTER_BY_NAME = dict(zip(_GREEK_LETTER_NAMES, "ωεφαβγδψθρ", strict=True))
@@ -80,9 +80,9 @@ def name_in_words(name: str) -> Told:
     return Phrase("guide_named", name=match["guide"])
 
 
-def line_in_words(along: str, start: str) -> Phrase:
+def line_in_words(along: str, start: Mark) -> Phrase:
     """A line through a mark, or the guide itself."""
-    mark = label_of(start)
+    mark = start.label
     _, parallel, guide = written_direction(along).partition("∥")
     point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
     if parallel and sign and written_direction(other) == guide:
@@ -92,11 +92,11 @@ def line_in_words(along: str, start: str) -> Phrase:
     return Phrase("line_through", along=written_direction(along), start=name_in_words(start))
 
 
-def plan_phrase(plan: str) -> Phrase:
+def plan_phrase(plan: PlanId) -> Phrase:
     """The name of a plan in words."""
     if plan == "force":
         return Phrase("plan_forces")
-    links = force_plan_links(plan)
-    if plan_kind(plan) == "force" and len(links) == 1:
+    links = plan.links
+    if plan.is_force and len(links) == 1:
         return Phrase("plan_force_alone", links=links[0])
-    return Phrase(f"plan_{plan_kind(plan)}", links=", ".join(links))
+    return Phrase(f"plan_{plan.kind}", links=", ".join(links))

@@ -6,32 +6,140 @@ import re
 import unicodedata
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import Literal
+from typing import Literal, NoReturn
 
-from planes.words.frozen import frozen
+from planes.words.frozen import frozen, refuse_assignment
 
 POLE_LABEL = "p"
-CREMONA_PLAN = "cremona"
-"""The plan of a truss, whose marks are the regions between forces."""
 REPEATED_DIRECTION_SUFFIX = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
-Mark = Literal["guide", "moved", "foot", "trial", "special", "false", "centre", "normal", "coriolis", "relative"]
+MarkKind = Literal["guide", "moved", "foot", "trial", "special", "false", "centre", "normal", "coriolis", "relative"]
 Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction", "arm"]
 UNIT_OF_LOADING: Mapping[str, str] = {"load": "N", "couple": "N·m"}
 """The units of given loads, by what their numbers mean."""
+UNIT_OF_PLAN = {
+    "position": "m",
+    "velocity": "m/s",
+    "acceleration": "m/s²",
+    "force": "N",
+    "contour": "m",
+    "vectors": "units",
+    "cremona": "N",
+}
+"""The units of what plans show, by their kinds."""
 Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
-Quantity = Literal[Mark, Loading, Size, Line]
+Quantity = Literal[MarkKind, Loading, Size, Line]
 NameTuple = tuple[str, ...]
 NamePair = tuple[str, str]
 """The ends of a vector, a point and its link, two links: which two, the name of the value says."""
 NameTriple = tuple[str, str, str]
+MarkTuple = tuple["Mark", ...]
+MarkPair = tuple["Mark", "Mark"]
+PlanTuple = tuple["PlanId", ...]
 NumbersByName = Mapping[str, float]
+NamesByName = dict[str, str]
 
 # drawn but never a question to the student
 HELPER_MARK_KINDS = ("guide", "moved", "foot", "trial", "special", "false", "centre")
 _PRIME_TRANSLATION = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _LOOK_ALIKE_TRANSLATION = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
+
+
+class PlanId(str):
+    """A plan: its kind, and the links in equilibrium on it.
+
+    It is the text by which files, pages and commands name it, "velocity" or "force:2-3", so that it sorts, hashes and
+    is written as this text. What it knows is asked of it; nobody takes the text apart.
+    """
+
+    kind: str
+    """What it shows: "position", "velocity", "acceleration", "force", …"""
+    links: NameTuple
+    """The links in equilibrium on a force plan: 2 and 3 of "force:2-3"."""
+    mu_name: str
+    """The name of its scale; every plan has one (mm per SI unit)."""
+    unit: str
+    """The unit of what it shows; "" for plans that are not measured."""
+    is_force: bool
+    """Whether its vectors are forces."""
+
+    def __new__(cls, kind: str, *links: str) -> "PlanId":
+        plan = super().__new__(cls, f"{kind}:{'-'.join(links)}" if links else kind)
+        own = {"kind": kind, "links": links, "mu_name": f"mu_{plan}", "unit": UNIT_OF_PLAN.get(kind, "")}
+        vars(plan).update(own, is_force=kind == "force")
+        return plan
+
+    @classmethod
+    def read(cls, text: str) -> "PlanId":
+        """The plan that a text from outside names."""
+        kind, _, links = text.partition(":")
+        return cls(kind, *links.split("-")) if links else cls(text)
+
+    def __setattr__(self, name: str, *value: object) -> NoReturn:
+        refuse_assignment(self, name)
+
+    @lru_cache(8192)  # noqa: B019  plans are few, and a program asks for each mark many times
+    def mark(self, label: str) -> "Mark":
+        """Its mark with that label."""
+        return Mark(self, label)
+
+    def marks(self, one: str, other: str) -> MarkPair:
+        """Two of its marks, the ends of a segment."""
+        return self.mark(one), self.mark(other)
+
+    @property
+    def pole(self) -> "Mark":
+        """Its pole."""
+        return self.mark(POLE_LABEL)
+
+
+class Mark(str):
+    """A mark: its plan, and its label there.
+
+    It is the text by which files and pages name it, "velocity:c" or "force:2-3:F_21t". On no plan it is its label
+    alone.
+
+    On the scheme a label is the name of a point, "B"; a guide without a point has one with a sign, "°x-x". The end of
+    a velocity has the small letter of its point, "b", that of an acceleration a primed one, "b'"; between them end the
+    components: "n_CB" of a normal one, "k_CB" of Coriolis. On a force plan a vector ends at the mark of its name,
+    "F_21t". Every plan has its pole, "p".
+    """
+
+    plan: PlanId
+    """The plan it is on."""
+    label: str
+    """Its name there."""
+
+    def __new__(cls, plan: PlanId, label: str) -> "Mark":
+        mark = super().__new__(cls, f"{plan}:{label}" if plan else label)
+        vars(mark).update(plan=plan, label=label)
+        return mark
+
+    def __getnewargs__(self) -> tuple[PlanId, str]:  # type: ignore[override]
+        return self.plan, self.label
+
+    def __setattr__(self, name: str, *value: object) -> NoReturn:
+        refuse_assignment(self, name)
+
+
+SCHEME_PLAN = PlanId("position")
+"""The position plan."""
+VELOCITY_PLAN = PlanId("velocity")
+ACCELERATION_PLAN = PlanId("acceleration")
+RATE_PLANS = (VELOCITY_PLAN, ACCELERATION_PLAN)
+MOTION_PLAN = PlanId("motion")
+"""Velocities of a unit drive, drawn where the given one is at rest."""
+LEVER_PLAN = PlanId("lever")
+"""The velocity plan turned by a right angle, with the forces at its marks (Zhukovsky)."""
+CREMONA_PLAN = PlanId("cremona")
+"""The plan of a truss, whose marks are the regions between forces."""
+NO_PLAN = PlanId("")
+"""The plan of a name that is no mark."""
+NO_MARK = Mark(NO_PLAN, "")
+"""Where there is no mark."""
+scheme_mark = SCHEME_PLAN.mark
+"""A mark of the scheme by its label."""
 
 
 @frozen
@@ -77,39 +185,19 @@ def split_value_name(name: str) -> NameTriple:
     return letter, index, part
 
 
-def full_mark_name(plan: str, label: str) -> str:
-    """Full name of a mark: its plan and its label."""
-    return f"{plan}:{label}"
+def plan_of(name: str) -> PlanId:
+    """The plan of a name, if it is a mark."""
+    return name.plan if isinstance(name, Mark) else NO_PLAN
 
 
-def label_of(mark: str) -> str:
-    """The label of a mark without its plan."""
-    return mark.rpartition(":")[2]
+def label_of(name: str) -> str:
+    """A name without its plan: the label of a mark, any other as it is."""
+    return name.label if isinstance(name, Mark) else name
 
 
 def name_without_plan(name: str) -> str:
     """A mark, a guide or its direction by the name people use, without its plan."""
     return label_of(name).lstrip("°∥")
-
-
-def plan_of(mark: str) -> str:
-    """The plan of a mark; "" for a value, which is on no plan."""
-    return mark.rpartition(":")[0]
-
-
-def plan_kind(plan: str) -> str:
-    """The kind of a plan, or of the plan a mark is on: "force" of "force:2-3"."""
-    return plan.partition(":")[0]
-
-
-def force_plan_links(plan: str) -> NameTuple:
-    """The links in equilibrium on a force plan: 2 and 3 of "force:2-3"."""
-    return tuple(plan.partition(":")[2].split("-"))
-
-
-def force_plan_name(*links: str) -> str:
-    """The force plan of a group, of a link, or of any other loaded body."""
-    return full_mark_name("force", "-".join(links)) if links else "force"
 
 
 def with_analogue_in_index(name: str) -> str:
@@ -204,11 +292,6 @@ def direction_of_given_angle(given: str) -> str:
 def given_name_of_number(name: str) -> str:
     """The given that a number belongs to; that of a place is written with .x and .y."""
     return name.removesuffix(".x").removesuffix(".y")
-
-
-def mu_name(plan: str) -> str:
-    """Name of the scale of a plan; every plan has one (mm per SI unit)."""
-    return f"mu_{plan}"
 
 
 def with_latin_letters(name: str) -> str:

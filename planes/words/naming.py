@@ -18,7 +18,7 @@ from planes.words.lettering import (
     with_number_as_subscript,
     without_index_markup,
 )
-from planes.words.names import POLE_LABEL, component_ending_at, split_value_name, without_markup
+from planes.words.names import POLE_LABEL, NameTuple, component_ending_at, split_value_name, without_markup
 from planes.words.units import Convention, mu_text
 
 PRIME_SIGN = "′"
@@ -185,7 +185,7 @@ class Naming:
         """A vector or a value as printed at a terminal: omega_2_1 -> ω2,1."""
         return without_index_markup(self.lettered_vector(name))
 
-    def all_letterings(self, name: str) -> tuple[str, ...]:
+    def all_letterings(self, name: str) -> NameTuple:
         """All ways in which this sheet letters a name of the program."""
         letter, _, index = name.partition("_")
         ways = [self.lettered_vector(component_ending_at(name)), self.lettered_name(name)]

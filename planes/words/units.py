@@ -12,7 +12,7 @@ from typing import Literal
 
 from planes.words import Lang, Phrase, say, with_decimal_sign
 from planes.words.errors import PlanesError
-from planes.words.names import letter_of, split_value_name
+from planes.words.names import UNIT_OF_PLAN, letter_of, split_value_name
 
 Convention = Literal["mm_per_unit", "unit_per_mm"]
 
@@ -21,8 +21,6 @@ PLANS_WITH_MU = ("position", "velocity", "acceleration", "force")
 
 STANDARD_MU_SERIES = (1.0, 2.0, 2.5, 4.0, 5.0)
 
-UNIT_OF_PLAN = {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "force": "N"}
-UNIT_OF_PLAN |= {"contour": "m", "vectors": "units", "cremona": "N"}
 PLAN_WITH_SAME_UNIT = {"contour": "position", "cremona": "force"}
 """Plans that have the unit of another."""
 UNITS_OF_PLACE_AND_RATES = {False: ("rad", "rad/s", "rad/s²"), True: ("m", "m/s", "m/s²")}

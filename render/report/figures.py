@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from planes.plans.assur.alignment import self_aligning_variant
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
-from planes.words.names import CREMONA_PLAN, force_plan_links
+from planes.words.names import CREMONA_PLAN, NO_PLAN, SCHEME_PLAN, PlanId
 from planes.words.naming import Naming
 from render import charts
 from render.charts.strokes import Picture
@@ -81,7 +81,7 @@ class DocumentSetter:
         self.naming = naming
         self.composers: dict[int, Composer] = {}  # by the scene
 
-    def text(self, text: str, plan: str = "") -> str:
+    def text(self, text: str, plan: PlanId = NO_PLAN) -> str:
         """Running text in tags."""
         return tagged_sentence(text, self.naming, plan)
 
@@ -113,10 +113,11 @@ class DocumentSetter:
 
 def _view_by_name(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
     kind, _, asked_for = name.partition(" ")
+    plan = PlanId.read(asked_for or name)
     position = block.position
     naming = composer.naming
     if kind in ("asked", "equations"):
-        return composer.equations_view(plotted, (asked_for,), EQUATION_LETTER_MM[alone], "", kind == "asked")
+        return composer.equations_view(plotted, (plan,), EQUATION_LETTER_MM[alone], "", kind == "asked")
     if name == CREMONA_PLAN:
         return make_view(name, "", Cremona(plotted, naming).drawn_marks())
     if kind == "beam" or (kind in ("scheme", "structure") and position.plans.figure):
@@ -133,7 +134,7 @@ def _view_by_name(name: str, block: DrawnViews, composer: Composer, plotted: Plo
         if asked_for:
             return forces.single_link_view(position, asked_for)
         return replace(forces.loaded_scheme_view(position), title="")
-    if kind == "group" and (group := ForceSheet(composer).group_view(position, asked_for, force_plan_links(asked_for))):
+    if kind == "group" and (group := ForceSheet(composer).group_view(position, plan, plan.links)):
         return replace(group, title="")
     if kind == "studio":
         return studio_code_view(block.scene, composer.lang, CODE_ON_TASK_MM)
@@ -144,17 +145,18 @@ def _view_by_name(name: str, block: DrawnViews, composer: Composer, plotted: Plo
     if kind == "self-aligning":
         alignment = self_aligning_variant(position.plans, block.scene.file)
         return alignment_view(position, alignment, naming, "", EQUATION_LETTER_MM[alone])
-    if plotted.has_only_pole(name):
+    if plotted.has_only_pole(plan):
         return None
-    return make_view(name, "", Polygon(plotted, name, naming, counted=composer.details).drawn_marks())
+    return make_view(name, "", Polygon(plotted, plan, naming, counted=composer.details).drawn_marks())
 
 
 def _name_with_mu(name: str, composer: Composer, plotted: Plotted) -> str:
     """A view's name with its μ, unbroken across lines."""
-    mu = composer.title_mu(plotted, "position" if name == "scheme" else name).replace(" ", "\u00a0")
+    plan = SCHEME_PLAN if name == "scheme" else PlanId.read(name)
+    mu = composer.title_mu(plotted, plan).replace(" ", "\u00a0")
     if name == "scheme":
         return mu
-    return f"{composer.plan_name(name).lower()}, {mu}"
+    return f"{composer.plan_name(plan).lower()}, {mu}"
 
 
 def views_in_rows(views: list[View]) -> list[Shown]:

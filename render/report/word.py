@@ -16,6 +16,7 @@ from docx.styles.style import ParagraphStyle
 from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.words.names import NO_PLAN, PlanId
 from planes.words.naming import Naming
 from render.paper.letters import lettered_pieces
 from render.report.figures import DocumentSetter, Shown, png_of_picture
@@ -151,7 +152,7 @@ class _Writer(DocumentSetter):
         paragraph._p.append(made)
         return paragraph
 
-    def add_runs(self, paragraph: Words, text: str, plan: str = "", italic: bool = False) -> Words:
+    def add_runs(self, paragraph: Words, text: str, plan: PlanId = NO_PLAN, italic: bool = False) -> Words:
         """Text at the end of a paragraph."""
         for piece in lettered_pieces(text, self.naming, plan):
             run = paragraph.add_run(piece.text)

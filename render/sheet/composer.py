@@ -12,7 +12,7 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Lang, say, text_in
 from planes.words.lettering import with_index_markup
-from planes.words.names import CREMONA_PLAN, force_plan_links, mu_name, plan_kind
+from planes.words.names import CREMONA_PLAN, LEVER_PLAN, SCHEME_PLAN, NameTuple, PlanId, PlanTuple
 from planes.words.naming import Naming
 from render.labels import is_rough_placement
 from render.paper.style import NEXT_LARGER_LETTER_MM, is_large_format
@@ -118,20 +118,20 @@ class Composer:
         own = self.scene.equations, self.scene.file
         return Tables(position, self.naming, letter, self.scene.used, self.cached_text_view, own)
 
-    def plan_views(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
+    def plan_views(self, plotted: Plotted, plans: list[PlanId], letter: float, beneath: bool) -> list[View | None]:
         """Plans with their equations: ``beneath`` each, or all of one kind in one view."""
         drawn = [self.plan(plotted, plan) for plan in plans]
         if beneath:
             written = [self.equations_view(plotted, (plan,), letter, "") for plan in plans]
             return [self.stack_existing_views(d.key, d, w) for d, w in zip(drawn, written, strict=True)]
-        forces = tuple(p for p in plans if plan_kind(p) == "force")
+        forces = tuple(p for p in plans if p.is_force)
         others = tuple(p for p in plans if p not in forces)
         titled = ((others, "equations"), (forces, "balance_equations"))
         return [*drawn, *(self.equations_view(plotted, some, letter, say(x, self.lang)) for some, x in titled if some)]
 
-    def title_mu(self, plotted: Plotted, plan: str) -> str:
+    def title_mu(self, plotted: Plotted, plan: PlanId) -> str:
         """μ of a plan as in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
-        kind = plan_kind(plan)
+        kind = plan.kind
         letter = MU_INDEX_OF_PLAN_KIND.get(kind, "")
         unit = kind
         if kind == "motion" and self.stated:
@@ -169,9 +169,9 @@ class Composer:
 
     def title_with_mu(self, position: Position, key: str, **names: str) -> str:
         """The title of a scheme, with its μ."""
-        return f"{say(key, self.lang, **names)}, {self.title_mu(plot_position(position), 'position')}"
+        return f"{say(key, self.lang, **names)}, {self.title_mu(plot_position(position), SCHEME_PLAN)}"
 
-    def plan(self, plotted: Plotted, plan: str) -> View:
+    def plan(self, plotted: Plotted, plan: PlanId) -> View:
         """A velocity, acceleration or force plan."""
         title = f"{self.plan_name(plan)}, {self.title_mu(plotted, plan)}"
         if plan == CREMONA_PLAN:
@@ -190,18 +190,18 @@ class Composer:
             key, lambda: make_view(plan, title, polygon.drawn_marks(), True, polygon.too_short_remarks(title))
         )
 
-    def plan_name(self, plan: str) -> str:
+    def plan_name(self, plan: PlanId) -> str:
         """The name of a plan in its title."""
-        if plan_kind(plan) != "force":
+        if not plan.is_force:
             return say(plan, self.lang)
-        numbers = [self.naming.link_number(x) for x in force_plan_links(plan) if x]
-        driver = self.scene.mechanism and force_plan_links(plan) == (self.scene.mechanism.drive.link,)
+        numbers = [self.naming.link_number(x) for x in plan.links if x]
+        driver = self.scene.mechanism and plan.links == (self.scene.mechanism.drive.link,)
         alone = "force_driver" if driver else "force_link" if self.scene.mechanism else "force_body"
         key = "force_group" if len(numbers) > 1 else alone
         return say(key if numbers else "force_any", self.lang, links="–".join(numbers))
 
     def equations_view(
-        self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str, asked: bool = False
+        self, plotted: Plotted, plans: PlanTuple, letter: float, title: str, asked: bool = False
     ) -> View | None:
         """The vector equations of some plans; without numbers if so ``asked``."""
 
@@ -211,7 +211,7 @@ class Composer:
 
         return self.cached_text_view(("formulas", plans, letter, title, asked), make)
 
-    def moments_view(self, position: Position, letter: float, links: tuple[str, ...] | None = None) -> View | None:
+    def moments_view(self, position: Position, letter: float, links: NameTuple | None = None) -> View | None:
         """The moment equations with their numbers: under a title, or those of some links alone."""
 
         def make() -> View | None:
@@ -220,11 +220,11 @@ class Composer:
                 return make_view("moments", "" if links else say("moments", self.lang), marks)
             return None
 
-        mus = tuple(position.scales.get(mu_name(plan)) for plan in ("position", "lever"))
+        mus = tuple(position.scales.get(plan.mu_name) for plan in (SCHEME_PLAN, LEVER_PLAN))
         return self.cached_text_view(("moments", letter, links, mus), make)
 
 
-def drawn_plans(plotted: Plotted, position: Position) -> list[str]:
+def drawn_plans(plotted: Plotted, position: Position) -> list[PlanId]:
     """The plans shown: velocities and accelerations if anything moves, and all force plans."""
-    drawn = [p for p in position.plans.plan_names if plan_kind(p) in PLAN_KIND_ORDER and not plotted.has_only_pole(p)]
-    return sorted(drawn, key=lambda p: PLAN_KIND_ORDER[plan_kind(p)])
+    drawn = [p for p in position.plans.plan_names if p.kind in PLAN_KIND_ORDER and not plotted.has_only_pole(p)]
+    return sorted(drawn, key=lambda p: PLAN_KIND_ORDER[p.kind])

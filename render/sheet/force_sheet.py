@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from planes.plans.apart import LinkApart
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import POLE_LABEL, force_plan_links, full_mark_name, mu_name, plan_kind
+from planes.words.names import LEVER_PLAN, MOTION_PLAN, POLE_LABEL, VELOCITY_PLAN, NameTuple, PlanId
 from render.sheet.composer import Composer
 from render.sheet.sizes import LOADED_VIEW_KEY, SINGLE_LINKS_VIEW_KEY
 from render.views import View, make_view, put_views_in_row
@@ -31,8 +31,8 @@ class ForceSheet:
         plotted, links_apart = plot_with_single_links(position)
         every_view: list[View | None] = [self.loaded_scheme_view(scheme)]
         for plan in position.plans.plan_names:
-            if plan_kind(plan) == "force":
-                links = force_plan_links(plan)
+            if plan.is_force:
+                links = plan.links
                 single = links_apart[plan]
                 moments = c.moments_view(position, letter, links)
                 step = [
@@ -60,7 +60,7 @@ class ForceSheet:
 
         return c.cached_view(("loaded", scheme_mu(position)), make)
 
-    def group_view(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
+    def group_view(self, position: Position, plan: PlanId, links: NameTuple) -> View | None:
         """A group as a free body with its forces, reactions and arms."""
         c = self.composer
 
@@ -81,9 +81,7 @@ class ForceSheet:
 
         return c.cached_view(("loaded", links, scheme_mu(position)), make)
 
-    def single_links_view(
-        self, position: Position, links: tuple[str, ...], written: Sequence[View] = ()
-    ) -> View | None:
+    def single_links_view(self, position: Position, links: NameTuple, written: Sequence[View] = ()) -> View | None:
         """The links of a group one by one, each with its loads and all reactions on it, including the inner ones; with
         the text ``written`` beneath them."""
         if len(links) < 2:
@@ -130,10 +128,10 @@ class ForceSheet:
         """Zhukovsky's lever with its moment equation."""
         c = self.composer
         drawer = Lever(position, self.composer.naming)
-        if full_mark_name("lever", POLE_LABEL) not in position.drawing:
+        if LEVER_PLAN.pole not in position.drawing:
             return None
-        kind = "motion" if position.plans.at_rest else "velocity"
+        kind = MOTION_PLAN if position.plans.at_rest else VELOCITY_PLAN
         title = f"{say('lever', c.lang)}, {c.title_mu(plot_position(position), kind)}"
-        key = ("lever", position.scales[mu_name(kind)])
+        key = ("lever", position.scales[kind.mu_name])
         drawn = c.cached_view(key, lambda: make_view("lever", title, drawer.drawn_marks(), True))
         return c.stack_existing_views("lever", drawn, c.moments_view(position, letter, ("lever",)))

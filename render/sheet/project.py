@@ -9,7 +9,7 @@ from planes.solving import Position
 from planes.solving.structure_text import class_lowering_drivers_text
 from planes.words import say
 from planes.words.errors import PlanesError
-from planes.words.names import plan_kind
+from planes.words.names import NameTuple
 from render.labels.footprints import box_around_marks
 from render.paper.marks import Text
 from render.paper.style import NEXT_LARGER_LETTER_MM
@@ -53,7 +53,7 @@ class Project:
         """Sheet 1: scheme in many positions, groups, velocity and acceleration plans, tables, diagrams."""
         c = self.composer
         plotted = plot_position(position)
-        rates = [p for p in drawn_plans(plotted, position) if plan_kind(p) != "force"]
+        rates = [p for p in drawn_plans(plotted, position) if not p.is_force]
         t = c.make_tables(position, letter)
         plans = c.plan_views(plotted, rates, letter, together.equations)
         for k, (plan, v) in enumerate(zip(rates, plans, strict=False)):
@@ -176,7 +176,7 @@ class Project:
 
         return c.cached_text_view(("self-aligning", letter), make)
 
-    def links_view(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
+    def links_view(self, position: Position, links: NameTuple, text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
         c = self.composer
         mu = scheme_mu(position)

@@ -10,7 +10,7 @@ from planes.plans.measuring import plan_name_in_words
 from planes.solving import Position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import POLE_LABEL, force_plan_links, label_of, plan_kind, plan_of
+from planes.words.names import ACCELERATION_PLAN, POLE_LABEL, VELOCITY_PLAN, PlanId
 from planes.words.naming import Naming
 from render.files import Page
 from render.labels import Label, place_labels
@@ -58,7 +58,7 @@ def mechanism_view_makers(
     plotted, links_apart = plot_with_single_links(position)
     bare, loaded, tables = Project(composer), ForceSheet(composer), composer.make_tables(position, TABLE_LETTER_MM)
     shown = drawn_plans(plotted, position)
-    rates, forces = (tuple(p for p in shown if (plan_kind(p) == "force") is of_forces) for of_forces in (False, True))
+    rates, forces = (tuple(p for p in shown if (p.is_force) is of_forces) for of_forces in (False, True))
     makers: dict[str, Callable[[], View | None]] = {
         "position": lambda: composer.scheme_view(position),
         "positions": lambda: project().many_positions_view(position),
@@ -70,7 +70,7 @@ def mechanism_view_makers(
         "loads": lambda: loaded.loaded_scheme_view(position),
     }
     for plan in forces:
-        own = force_plan_links(plan)
+        own = plan.links
         links = "-".join(own)
         makers[f"group-{links}"] = partial(loaded.group_view, position, plan, own)
         if len(own) > 1:
@@ -85,8 +85,8 @@ def mechanism_view_makers(
         "moments": lambda: composer.moments_view(position, TABLE_LETTER_MM),
         "lever": lambda: loaded.lever_view(position, TABLE_LETTER_MM),
         "given": tables.given_table,
-        "velocities": lambda: tables.plan("velocity"),
-        "accelerations": lambda: tables.plan("acceleration"),
+        "velocities": lambda: tables.plan(VELOCITY_PLAN),
+        "accelerations": lambda: tables.plan(ACCELERATION_PLAN),
         "links": tables.links,
         "reactions": tables.reactions_table,
         "check": tables.check_table,
@@ -116,23 +116,23 @@ def vector_view_makers(position: Position, composer: Composer) -> Makers:
     }
 
 
-def plan_view_name(plan: str) -> str:
+def plan_view_name(plan: PlanId) -> str:
     """The name of a plan's view."""
-    if plan_kind(plan) in ("force", "vectors"):
+    if plan.kind in ("force", "vectors"):
         return plan.replace(":", "-")
     return f"{plan}-plan"
 
 
 def traced_plans_page(drawing: Drawing, lang: Lang = "ru") -> Page | None:
     """The plans of one drawing, one beneath another, in mm; None without a plan, or for many drawings at once."""
-    plans = dict.fromkeys(plan_of(s.makes) for s in drawing.program.steps if s.kind == "mark" and s.makes in drawing)
+    plans = dict.fromkeys(s.plan for s in drawing.program.steps if s.plan and s.makes in drawing)
     figures = [v for plan in plans if (v := _traced_plan_view(drawing, plan, lang))]
     if not figures:
         return None
     return page_cut_to_view(stack_views("traces", figures, 8.0), say("vectors", lang), lang)
 
 
-def _traced_plan_view(drawing: Drawing, plan: str, lang: Lang) -> View | None:
+def _traced_plan_view(drawing: Drawing, plan: PlanId, lang: Lang) -> View | None:
     """One plan: a dot and a letter at every mark, a line from its construction marks."""
     places = dict(_mark_places(drawing, plan))
     steps = [s for s in drawing.program.steps if s.makes in places]
@@ -141,18 +141,14 @@ def _traced_plan_view(drawing: Drawing, plan: str, lang: Lang) -> View | None:
     if not lines:
         return None
     dots = [d for z in dict.fromkeys(places.values()) for d in dot(z, 0.7, "plan")]
-    labels = [
-        Label(Naming(lang).mark(label_of(s.makes), plan), places[s.makes], 3.5)
-        for s in steps
-        if not s.is_auxiliary_mark
-    ]
+    labels = [Label(Naming(lang).mark(s.label, plan), places[s.makes], 3.5) for s in steps if not s.is_auxiliary_mark]
     marks = (*lines, *dots)
     return make_view(f"traces {plan}", plan_name_in_words(plan, lang), (*marks, *place_labels(labels, marks).marks))
 
 
-def _mark_places(drawing: Drawing, plan: str) -> Iterator[tuple[str, complex]]:
+def _mark_places(drawing: Drawing, plan: PlanId) -> Iterator[tuple[str, complex]]:
     """The drawn marks of a plan."""
-    for step in drawing.program.mark_steps_by_plan.get(plan, ()):
+    for step in drawing.program.mark_steps_on(plan):
         if step.makes not in drawing.program.trial_marks:
             z = drawing.things.get(step.makes)
             if isinstance(z, complex) and cmath.isfinite(z):

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from planes.words.frozen import frozen, replace
+from planes.words.names import NameTuple
 from render.labels.footprints import Bounds, box_around_marks, overprinted_labels
 from render.paper.marks import Mark, Text, move_mark
 from render.paper.style import figure_letter_height
@@ -31,7 +32,7 @@ class View:
     body: Marks
     inked: Bounds
     figure: bool = False  # a scheme or a plan: read one after another
-    unseen: tuple[str, ...] = ()
+    unseen: NameTuple = ()
     step: str = ""
     heading: float = TITLE_LETTER_MM
     extra: bool = False  # shown only if the format that holds all others has room for it too
@@ -59,7 +60,7 @@ class View:
         return self.titled_marks_and_box[1]
 
     @cached_property
-    def unreadable_labels(self) -> tuple[str, ...]:
+    def unreadable_labels(self) -> NameTuple:
         """The labels that found no place."""
         return tuple(dict.fromkeys(map(plain_text, overprinted_labels(self.marks))))
 

@@ -9,7 +9,7 @@ from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.reckoning import quotients_by_name
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
-from planes.words.names import label_of, split_value_name
+from planes.words.names import NamePair, split_value_name
 from planes.words.naming import Naming
 from render.labels import Label
 from render.paper.marks import Arrow, Line, Mark
@@ -82,9 +82,7 @@ class Directions:
         tip = ROD_LENGTH_LETTERS * self.letter * self.segment_direction(rod.start, rod.end)
         ground = [*bar(0j, tip), *hinge(0j), *hinge(tip)]
         ends = ((rod.start, 0j), (rod.end, tip))
-        letters = [
-            Label(self.naming.lettered_point(label_of(x)), z, FIGURE_LETTER_MM, clear=1.6, name=x) for x, z in ends
-        ]
+        letters = [Label(self.naming.lettered_point(x.label), z, FIGURE_LETTER_MM, clear=1.6, name=x) for x, z in ends]
         vectors = [Arrow(tip, tip + VECTOR_LENGTH_LETTERS * self.letter * way, "vector", "plan", vector)]
         return self.figure_with_sense(ground, vectors, rate, direction_deg(tip), letters)
 
@@ -100,7 +98,7 @@ class Directions:
             if isinstance(slid, Measure) and (way := self.segment_direction(slid.start, slid.end)) and across:
                 yield self.coriolis_figure(way, across, rate, (velocity, laid.length))
 
-    def coriolis_figure(self, way: complex, across: complex, rate: str, names: tuple[str, str]) -> Sequence[Mark]:
+    def coriolis_figure(self, way: complex, across: complex, rate: str, names: NamePair) -> Sequence[Mark]:
         """One guide."""
         vectors = [
             Arrow(0j, length * z, "vector", "plan", name)

@@ -8,10 +8,9 @@ from dataclasses import dataclass, field
 from planes.drafting.equations import Equation, Term
 from planes.words import say
 from planes.words.frozen import frozen
-from planes.words.names import parallel_vector_name, plan_kind, written_direction, written_line_of_action
+from planes.words.names import PlanId, PlanTuple, parallel_vector_name, written_direction, written_line_of_action
 from planes.words.naming import Naming
 from planes.words.read_off import fixed_decimals_text, read_off_text
-from planes.words.units import UNIT_OF_PLAN
 from render.paper.marks import Line, Mark, Text
 from render.paper.symbols import Marks
 from render.paper.typeset import ink_bounds, ink_width, overbar_interval
@@ -127,7 +126,7 @@ class Formulas:
     letter: float = 5.0
     asked: bool = False  # in the form for drawing: without numbers
 
-    def drawn_marks(self, plans: tuple[str, ...]) -> Marks:
+    def drawn_marks(self, plans: PlanTuple) -> Marks:
         """All equations of these plans, from the top down."""
         setter = Setter(self.letter)
         y = 0.0
@@ -142,7 +141,7 @@ class Formulas:
         """v_C = v_B + v_CB; the motion of a point relative to the frame is its absolute vector, with its line of
         action."""
         total = equation.total or ""
-        unit = say(UNIT_OF_PLAN[plan_kind(equation.plan)], self.naming.lang)
+        unit = say(equation.plan.unit, self.naming.lang)
         first = Word(self.naming.lettered_vector(total), value="" if self.asked else unit)
         sides = []
         for chain in equation.chains:
@@ -162,7 +161,7 @@ class Formulas:
 
     def closed_polygon_words(self, equation: Equation) -> list[Word]:
         """The unit; both sides as stated, or the sum of all vectors of a closed polygon, equal to zero."""
-        unit = say(UNIT_OF_PLAN[plan_kind(equation.plan)], self.naming.lang)
+        unit = say(equation.plan.unit, self.naming.lang)
         words = [Word("", vector=False, value="" if self.asked else unit)]
         sides = equation.sides_as_written
         for n, side in enumerate(sides):
@@ -174,7 +173,7 @@ class Formulas:
             return [*words, Word("= 0", vector=False)]
         return words
 
-    def term_word(self, term: Term, plan: str) -> Word:
+    def term_word(self, term: Term, plan: PlanId) -> Word:
         """A vector with its underlines, its line of action and, where known, its number."""
         text = self.naming.lettered_vector(term.name)
         known = term.known_part_count

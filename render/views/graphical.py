@@ -8,7 +8,7 @@ from planes.diagrams.graphical import Construction, Stage
 from planes.drafting.drawing import Drawing
 from planes.words import say
 from planes.words.frozen import frozen
-from planes.words.names import full_mark_name
+from planes.words.names import PlanId
 from planes.words.naming import Naming
 from planes.words.units import UNITS_OF_PLACE_AND_RATES, number_text
 from render.paper.letters import mu_with_unit
@@ -46,9 +46,9 @@ class Graphical:
             lowest = zero + min(bottom, self.pole_distance_room(stage) - 2.0 if stage.pole_mm else bottom)
         return (*marks, *self.position_numbers(lowest - 6.5), *self.line_legend(lowest - 15.0))
 
-    def mark_place(self, plan: str, label: str) -> complex:
+    def mark_place(self, plan: PlanId, label: str) -> complex:
         """The place of a mark from the origin of its diagram."""
-        return complex(self.drawing[full_mark_name(plan, label)]) - complex(self.drawing[full_mark_name(plan, "o")])
+        return complex(self.drawing[plan.mark(label)]) - complex(self.drawing[plan.mark("o")])
 
     def curve_points(self, stage: Stage) -> list[complex]:
         """The points of a diagram; for a closed turn, two more at either end."""
@@ -142,7 +142,7 @@ class Graphical:
         labels = [label for half, label in stage.points if half >= 0]
         if self.construction.kind == "integration":
             labels = [f"{k}½" for k in range(self.construction.motion.section_count)]
-        return [x for x in labels if full_mark_name(stage.plan, f"h{x}") in self.drawing.things]
+        return [x for x in labels if stage.plan.mark(f"h{x}") in self.drawing.things]
 
     def ray_crossings(self, stage: Stage) -> list[complex]:
         """Where the rays meet the axis of ordinates."""

@@ -11,7 +11,7 @@ from planes.geometry.plane import direction_between
 from planes.plans.force.loads import name_of_force
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import full_mark_name
+from planes.words.names import NameTuple, PlanId
 from planes.words.naming import Naming
 from planes.words.units import number_text
 from render.labels import Label
@@ -86,7 +86,7 @@ class Loading:
 
     position: Position
     naming: Naming
-    links: tuple[str, ...]
+    links: NameTuple
     equations: list[Moments] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
     named: list[Label] = field(default_factory=list)
@@ -115,14 +115,14 @@ class Loading:
                 if abs(value) > 1e-9:
                     self.draw_couple(couple.name, link, value, k, about=self.friction_hinge_place(couple.value))
 
-    def draw_reactions(self, plan: str) -> None:
+    def draw_reactions(self, plan: PlanId) -> None:
         """The reactions of a plan's outer pairs, in the components found on the plan, at their points."""
         outer = self.outer()
         rubbing = dict[str, None]()
         guides = dict.fromkeys(outer.values())
         for equation in self.plans.equations:
             for term in equation.all_terms if equation.plan == plan else ():
-                marks = [full_mark_name(plan, end) for end in (term.start, term.end)]
+                marks = [plan.mark(end) for end in (term.start, term.end)]
                 if term.name in outer and all(mark in self.drawing for mark in marks):
                     way = term.sign * (complex(self.drawing[marks[1]]) - complex(self.drawing[marks[0]]))
                     key = outer.pop(term.name)

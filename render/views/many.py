@@ -15,6 +15,7 @@ from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
 from planes.words.frozen import frozen
+from planes.words.names import NumbersByName
 from render.labels import Label
 from render.paper.marks import Line, Mark
 from render.views.dimensions import Size, dimension_text, stroke_dimension
@@ -34,7 +35,7 @@ class PlacedMechanism:
     """A mechanism in one position: the places of its points, in m, and the angles of its links, in degrees."""
 
     points: Mapping[str, complex]
-    angles: Mapping[str, float]
+    angles: NumbersByName
 
 
 @frozen

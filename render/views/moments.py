@@ -14,7 +14,7 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.lettering import without_index_markup
-from planes.words.names import POLE_LABEL, full_mark_name
+from planes.words.names import MOTION_PLAN, POLE_LABEL, VELOCITY_PLAN, NameTuple
 from planes.words.naming import Naming
 from planes.words.read_off import fixed_decimals_text, read_off_text
 from render.labels import Label
@@ -35,7 +35,7 @@ class MomentLines:
     naming: Naming
     letter: float = 5.0
 
-    def drawn_marks(self, links: tuple[str, ...] | None = None) -> Marks:
+    def drawn_marks(self, links: NameTuple | None = None) -> Marks:
         """All nontrivial equations (those of some links), from the top down."""
         setter = Setter(self.letter)
         y = 0.0
@@ -147,7 +147,7 @@ class Lever:
 
     def drawn_marks(self) -> Marks:
         """The turned plan, the forces, their arms and all names."""
-        plan = "motion" if self.position.plans.at_rest else "velocity"
+        plan = MOTION_PLAN if self.position.plans.at_rest else VELOCITY_PLAN
         plotted = plot_position(self.position)
         marks = list[Mark]()
         lines = list[Ends]()
@@ -161,9 +161,9 @@ class Lever:
                 marks.append(Line(ends, "thick" if s.start == POLE_LABEL else "thin", "plan"))
                 lines.append(ends)
         letters = (
-            (self.naming.mark(x, "velocity"), 1j * plotted.mark(plan, x))
+            (self.naming.mark(x, VELOCITY_PLAN), 1j * plotted.mark(plan, x))
             for x in plotted.mark_labels(plan)
-            if full_mark_name(plan, x) not in aside
+            if plan.mark(x) not in aside
         )
         places = group_names_by_place(letters)  # letters of coinciding marks share one label
         named = [Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]

@@ -2,9 +2,10 @@
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 import shapely
 
@@ -14,15 +15,14 @@ from planes.drafting.equations import Equation, Term
 from planes.geometry.plane import bounding_corners, direction_between, perpendicular_foot
 from planes.plans.apart import LinkApart, links_with_own_polygon
 from planes.plans.force.reactions import Reaction
-from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
-from planes.words.names import full_mark_name, label_of, mu_name
+from planes.words.names import SCHEME_PLAN, NameTuple, NumbersByName, PlanId, scheme_mark
 
 Ends = tuple[complex, complex]
-Clusters = list[tuple[complex, list[str]]]  # places with the names there
+Clusters = list[tuple[complex, list[Any]]]  # places with the names there
 
 
 @frozen
@@ -32,45 +32,43 @@ class Plotted:
     drawing: Drawing
     segments: tuple[Segment, ...]
     equations: tuple[Equation, ...]
-    scales: Mapping[str, float]
-    fixed: tuple[str, ...] = ()
+    scales: NumbersByName
+    fixed: NameTuple = ()
     figure: StaticsFigure | None = None
     leaning: tuple[Reaction, ...] = ()  # of guides with friction
 
-    def mark(self, plan: str, label: str) -> complex:
+    def mark(self, plan: PlanId, label: str) -> complex:
         """The place of a mark, mm from the pole of its plan."""
-        return complex(self.drawing[full_mark_name(plan, label)])
+        return complex(self.drawing[plan.mark(label)])
 
-    def vector_ends(self, plan: str, vector: Segment | Term) -> Ends:
+    def vector_ends(self, plan: PlanId, vector: Segment | Term) -> Ends:
         """The places of both ends of a vector."""
         return self.mark(plan, vector.start), self.mark(plan, vector.end)
 
-    def vector_length_mm(self, plan: str, vector: Segment | Term) -> float:
+    def vector_length_mm(self, plan: PlanId, vector: Segment | Term) -> float:
         """The length of a vector, mm."""
         start, end = self.vector_ends(plan, vector)
         return abs(end - start)
 
-    def has_marks(self, plan: str, *labels: str) -> bool:
+    def has_marks(self, plan: PlanId, *labels: str) -> bool:
         """Whether all these marks are drawn (a sliced program draws only the requested ones)."""
-        return all(full_mark_name(plan, label) in self.drawing for label in labels)
+        return all(plan.mark(label) in self.drawing for label in labels)
 
-    def mark_labels(self, plan: str) -> list[str]:
+    def mark_labels(self, plan: PlanId) -> list[str]:
         """Labels of all marks of a plan in drawing order, without auxiliary ones."""
-        return [
-            label_of(s.makes) for s in self.drawing.program.mark_steps_by_plan.get(plan, ()) if not s.is_outside_plan
-        ]
+        return [s.label for s in self.drawing.program.mark_steps_on(plan) if not s.is_outside_plan]
 
-    def drawn_segments(self, plan: str) -> list[Segment]:
+    def drawn_segments(self, plan: PlanId) -> list[Segment]:
         """The drawn segments of a plan."""
         return [
             s for s in self.segments if s.plan == plan and s.start != s.end and self.has_marks(plan, s.start, s.end)
         ]
 
-    def plan_mu(self, plan: str) -> float:
+    def plan_mu(self, plan: PlanId) -> float:
         """μ of a plan, mm per SI unit."""
-        return self.scales[mu_name(plan)]
+        return self.scales[plan.mu_name]
 
-    def has_only_pole(self, plan: str) -> bool:
+    def has_only_pole(self, plan: PlanId) -> bool:
         """Whether every mark of the plan is at its pole: there is nothing to draw."""
         ends = self.mark_labels(plan) or [s.end for s in self.drawn_segments(plan)]
         return all(abs(self.mark(plan, label)) < 1e-6 for label in ends)
@@ -84,7 +82,7 @@ def plot_position(p: Position) -> Plotted:
     return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared, p.plans.figure, leaning)
 
 
-def plot_with_single_links(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
+def plot_with_single_links(p: Position) -> tuple[Plotted, dict[PlanId, list[LinkApart]]]:
     """The same with the plans of single links; and these links by the plan of their group."""
     plotted = plot_position(p)
     plans = {plan: [*links_with_own_polygon(p.plans, plan)] for plan in p.plans.plan_names}
@@ -94,8 +92,8 @@ def plot_with_single_links(p: Position) -> tuple[Plotted, dict[str, list[LinkApa
     equations = [*plotted.equations]
     for one in (x for links in plans.values() for x in links):
         if marks := one.vector_end_marks(p.plans, p.drawing):
-            things |= {full_mark_name(one.plan, label): z for label, z in marks.items()}
-            scales[mu_name(one.plan)] = p.scales[mu_name(one.group)]
+            things |= {one.plan.mark(label): z for label, z in marks.items()}
+            scales[one.plan.mu_name] = p.scales[one.group.mu_name]
             segments += [Segment(one.plan, t.start, t.end, t.name) for t in one.equation.all_terms]
             equations.append(one.equation)
     drawing = replace(p.drawing, things=things)
@@ -104,7 +102,7 @@ def plot_with_single_links(p: Position) -> tuple[Plotted, dict[str, list[LinkApa
 
 def scheme_mu(position: Position) -> float:
     """The scale of the scheme, mm per metre."""
-    return position.scales[mu_name(SCHEME_PLAN)]
+    return position.scales[SCHEME_PLAN.mu_name]
 
 
 SAME_PLACE_MM = 0.4  # closer places are one
@@ -139,11 +137,11 @@ class Places:
 
     def is_drawn(self, point: str) -> bool:
         """Whether the point is drawn."""
-        return full_mark_name(SCHEME_PLAN, point) in self.position.drawing
+        return scheme_mark(point) in self.position.drawing
 
     def point_place(self, point: str) -> complex:
         """The place of a point."""
-        return complex(self.position.drawing[full_mark_name(SCHEME_PLAN, point)])
+        return complex(self.position.drawing[scheme_mark(point)])
 
     def larger_box_side(self, links: Sequence[str]) -> float:
         """The larger side of the box around the points of some links."""

@@ -9,10 +9,10 @@ from planes.drafting.equations import Term
 from planes.geometry.plane import direction_between, perpendicular_foot
 from planes.plans.scales import ZERO_VECTOR_MM
 from planes.words import say
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
+from planes.words.names import POLE_LABEL, NamePair, PlanId, label_of
 from planes.words.naming import Naming
 from planes.words.read_off import read_off_text
-from planes.words.units import UNIT_OF_PLAN, number_text
+from planes.words.units import number_text
 from render import labels
 from render.labels import Label
 from render.labels.footprints import overprinted_labels
@@ -47,11 +47,11 @@ class Polygon:
     """
 
     plotted: Plotted
-    plan: str
+    plan: PlanId
     naming: Naming
-    arrows: dict[tuple[str, str], list[str]] = field(default_factory=dict)
+    arrows: dict[NamePair, list[str]] = field(default_factory=dict)
     marks: list[Mark] = field(default_factory=list)
-    places: dict[tuple[str, str], Ends] = field(default_factory=dict)
+    places: dict[NamePair, Ends] = field(default_factory=dict)
     aside: list[Mark] = field(default_factory=list)
     counted: dict[tuple[str, float], int] = field(default_factory=dict)  # details of plans at their μ
     valued: bool = False  # whether vectors have their values beside them
@@ -96,7 +96,7 @@ class Polygon:
         )
         if any(t.name.startswith(VALUE_NAME_PREFIX) for t in placed.texts):
             lang = self.naming.lang
-            text = say("values_beside", lang, unit=say(UNIT_OF_PLAN[plan_kind(self.plan)], lang))
+            text = say("values_beside", lang, unit=say(self.plan.unit, lang))
             marks = (*marks, *remark_texts(f"({text})", marks))
         return marks
 
@@ -107,7 +107,7 @@ class Polygon:
         taken = map(label_of, self.plotted.drawing.things)
         return detail.free_detail_letters(taken, say("detail_letters", self.naming.lang))[used:]
 
-    def detail_count(self, plan: str) -> int:
+    def detail_count(self, plan: PlanId) -> int:
         """The number of details in another plan of this drawing."""
         key = plan, self.plotted.plan_mu(plan)
         if key not in self.counted:
@@ -198,8 +198,8 @@ class Polygon:
         """The normal force and the friction of each leaning reaction, as the sides of a right triangle upon it."""
         sides = dict[str, Ends]()
         for r in self.plotted.leaning:
-            start = label_of(r.start)
-            end = label_of(r.end)
+            start = r.start.label
+            end = r.end.label
             if r.plan == self.plan and self.plotted.has_marks(self.plan, start, end):
                 a = self.mark(start)
                 b = self.mark(end)
@@ -209,14 +209,11 @@ class Polygon:
                     sides |= {f"N_{r.index}": (a, corner), f"T_{r.index}": (corner, b)}
         return sides
 
-    def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
+    def is_result(self, ends: NamePair, names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces that were found here."""
         if not self.is_rate_plan:
             return any("^" not in name and name not in self.given_vector_names for name in names)
-        return (
-            ends[0] == POLE_LABEL
-            and full_mark_name(self.plan, ends[1]) not in self.plotted.drawing.program.component_end_marks
-        )
+        return ends[0] == POLE_LABEL and self.plan.mark(ends[1]) not in self.plotted.drawing.program.component_end_marks
 
     def name_labels(self, details: Sequence[detail.Detail] = (), times: float = 1.0) -> list[Label]:
         """The names of marks or vectors, in their places on a plan enlarged by a factor."""

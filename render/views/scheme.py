@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
-from planes.words.names import POLE_LABEL, guide_end_letters, label_of
+from planes.words.names import POLE_LABEL, NameTuple, guide_end_letters
 from planes.words.naming import Naming
 from render.labels import Label
 from render.paper import symbols
@@ -35,7 +35,7 @@ class Scheme:
 
     position: Position
     naming: Naming
-    only: tuple[str, ...] = ()  # the links that are drawn; none named: all
+    only: NameTuple = ()  # the links that are drawn; none named: all
     framed: bool = True  # whether the frame is drawn
 
     def __post_init__(self) -> None:
@@ -282,12 +282,12 @@ class Scheme:
         """Letters of the places on guides that coincide with a slider's point, as on the plans: L, B3."""
         plans = self.position.plans
         drawn = {x.name for x in self.links}
-        known = {POLE_LABEL, *(label_of(x.velocity) for x in plans.points.values())}
+        known = {POLE_LABEL, *(x.velocity.label for x in plans.points.values())}
         images = list[str]()
         for link in self.links:
             if link.slides and link.first_point == point and link.name in plans.velocity_slides:
                 reading = plans.velocity_slides[link.name]
                 if self.mechanism.owner_of_guide(reading.guide) in drawn:
                     ends = (reading.under,) if reading.under else reading.ends
-                    images += (x.upper() for x in map(label_of, ends) if x not in known)
+                    images += (x.label.upper() for x in ends if x.label not in known)
         return images

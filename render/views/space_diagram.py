@@ -5,12 +5,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from planes.geometry.plane import direction_between
-from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.figure import StaticsFigure, member_strains
 from planes.scene.mechanism import Link
 from planes.scene.structures import ONLY_BODY_NAME, StaticLoad, Support
 from planes.solving import Position
-from planes.words.names import full_mark_name, label_of
+from planes.words.names import SCHEME_PLAN, scheme_mark
 from planes.words.naming import Naming
 from render.labels import Label
 from render.paper import symbols
@@ -101,11 +100,7 @@ class SpaceDiagram:
             yield Label(text, z * mu, REGION_LETTER_MM, name=f"region {text}")
         for mark in self.figure.knots:
             yield Label(
-                self.naming.lettered_point(label_of(mark)),
-                self.mark_place(mark),
-                STRING_LETTER_MM,
-                clear=0.8,
-                name=mark,
+                self.naming.lettered_point(mark.label), self.mark_place(mark), STRING_LETTER_MM, clear=0.8, name=mark
             )
 
     def member_lines(self) -> Iterator[Mark]:
@@ -115,12 +110,7 @@ class SpaceDiagram:
             sense = senses.get(name, "idle")
             style = "thin" if sense == "idle" else "thick"
             yield Line(
-                (
-                    self.mark_place(full_mark_name(SCHEME_PLAN, one)),
-                    self.mark_place(full_mark_name(SCHEME_PLAN, other)),
-                ),
-                style,
-                name=f"{sense} {name}",
+                (self.mark_place(scheme_mark(one)), self.mark_place(scheme_mark(other))), style, name=f"{sense} {name}"
             )
 
     # signs

@@ -1,9 +1,8 @@
 """Assur's special points on a scheme: where the lines of two leads of a basic link cross."""
 
 from planes.drafting.steps.crossings import Cross
-from planes.plans.position.bodies import SCHEME_PLAN
 from planes.solving import Position
-from planes.words.names import full_mark_name, label_of
+from planes.words.names import scheme_mark
 from planes.words.naming import Naming
 from render.labels import Label, Labelled
 from render.paper.marks import Line, Mark
@@ -18,7 +17,7 @@ def special_point_marks(position: Position, naming: Naming) -> Labelled:
     marks = list[Mark]()
     named = list[Label]()
     drawing = position.drawing
-    points = [complex(drawing[m]) for p in position.plans.points if (m := full_mark_name(SCHEME_PLAN, p)) in drawing]
+    points = [complex(drawing[m]) for p in position.plans.points if (m := scheme_mark(p)) in drawing]
     for step in drawing.program.steps:
         if isinstance(step, Cross) and step.quantity_represented == "special" and step.makes in drawing:
             place = complex(drawing[step.makes])
@@ -27,8 +26,6 @@ def special_point_marks(position: Position, naming: Naming) -> Labelled:
                 marks += [Line((complex(drawing[m]), place), "thin", "construction") for m in leads]
                 marks += dot(place)
                 named.append(
-                    Label(
-                        naming.lettered_point(label_of(step.makes)), place, POINT_LETTER_MM, clear=0.8, name="special"
-                    )
+                    Label(naming.lettered_point(step.label), place, POINT_LETTER_MM, clear=0.8, name="special")
                 )
     return marks, named

@@ -2,6 +2,7 @@
 
 from planes.drafting.drawing import Drawing
 from planes.plans.structures.figure import StaticsFigure
+from planes.words.names import PlanId
 from render.labels import Label, Labelled
 from render.paper.marks import Line, Mark
 from render.views.plotted import SAME_PLACE_MM
@@ -17,7 +18,7 @@ STRING_LINE_STYLES = {
 }
 
 
-def string_and_ray_lines(drawing: Drawing, figure: StaticsFigure | None, plan: str) -> Labelled:
+def string_and_ray_lines(drawing: Drawing, figure: StaticsFigure | None, plan: PlanId) -> Labelled:
     """The lines of a plan, with the letters of strings and rays; on a force plan the pole has its letter, too."""
     marks = list[Mark]()
     named = list[Label]()

@@ -3,7 +3,7 @@
 import cmath
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from itertools import zip_longest
 
@@ -18,10 +18,10 @@ from planes.solving.tables import relative_difference
 from planes.solving.text_tables import ZERO_RESULT_RATIO, largest_equilibrium_result
 from planes.words import say
 from planes.words.frozen import field, frozen
-from planes.words.names import CREMONA_PLAN, plan_kind, plan_of, split_value_name
+from planes.words.names import ACCELERATION_PLAN, CREMONA_PLAN, VELOCITY_PLAN, NumbersByName, PlanId, split_value_name
 from planes.words.naming import Naming
 from planes.words.read_off import fixed_decimals_text, read_off_text
-from planes.words.units import UNIT_OF_PLAN, UNITS_OF_PLACE_AND_RATES, number_text
+from planes.words.units import UNITS_OF_PLACE_AND_RATES, number_text
 from render.views import View, make_view, remark_texts
 from render.views.formulas import ROUNDING_NOISE_MM
 from render.views.plotted import plot_position
@@ -37,7 +37,7 @@ class Tables:
     position: Position
     naming: Naming
     letter: float = 3.5
-    parameters: Mapping[str, float] = field(default_factory=dict)
+    parameters: NumbersByName = field(default_factory=dict)
     once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
     own: tuple[tuple[VectorEquation, ...], str] = ((), "")  # the user's equations, and their file
 
@@ -46,7 +46,7 @@ class Tables:
         mu = plot_position(self.position).plan_mu
         rows = []
         for f in self.position.of("vectors").values():
-            mm = abs(f.vector) * mu(plan_of(f.quantity.needed_names[0]))
+            mm = abs(f.vector) * mu(f.quantity.columns[0].start.plan)
             angle = self.tenths_text(math.degrees(cmath.phase(f.vector))) if mm > ROUNDING_NOISE_MM else "—"
             unit = self.sheet_word(f.unit)
             rows.append(
@@ -160,7 +160,7 @@ class Tables:
             list(given.load_law_formulas()),
         )
 
-    def plan(self, plan: str) -> View | None:
+    def plan(self, plan: PlanId) -> View | None:
         """The measurements on a plan: vector, segment, mm, value."""
         rows = [row for _, row in self.measurement_rows(plan)]
         return self.table_view(f"{plan}-table", f"by_{plan}", self.measurement_head(plan), rows)
@@ -168,7 +168,7 @@ class Tables:
     def rate_tables(self, joined: bool) -> list[View | None]:
         """The measurements on the velocity and acceleration plans: a table each, or ``joined`` with the vectors of one
         point, or of one link, side by side."""
-        plans = [plan for plan in ("velocity", "acceleration") if any(self.measurement_rows(plan))]
+        plans = [plan for plan in (VELOCITY_PLAN, ACCELERATION_PLAN) if any(self.measurement_rows(plan))]
         if not joined or len(plans) < 2:
             return [self.plan(plan) for plan in plans]
         by_owner: dict[str, tuple[list[Row], ...]] = {}
@@ -181,11 +181,11 @@ class Tables:
         rows = [[*one, *other] for one, other in pairs]
         return [self.table_view("rates-table", "by_plans", head, rows, spanned=True)]
 
-    def measurement_head(self, plan: str) -> Row:
+    def measurement_head(self, plan: PlanId) -> Row:
         """The head over the measurements on a plan."""
-        return ["", "", self.sheet_word("mm"), self.sheet_word(UNIT_OF_PLAN[plan_kind(plan)])]
+        return ["", "", self.sheet_word("mm"), self.sheet_word(plan.unit)]
 
-    def measurement_rows(self, plan: str) -> Iterator[tuple[str, Row]]:
+    def measurement_rows(self, plan: PlanId) -> Iterator[tuple[str, Row]]:
         """The measurements on a plan, with the owner of each vector: a point, two points of a link, a guide."""
         known = self.position.results.get("plans", {}).get(plan, {"segments": {}})["segments"]
         if max((s["mm"] for s in known.values()), default=0.0) <= ROUNDING_NOISE_MM:
@@ -276,7 +276,7 @@ class Tables:
         plotted = plot_position(self.position)
         lengths = dict[str, float]()
         for s in plotted.segments:
-            if plan_kind(s.plan) == "force" and plotted.has_marks(s.plan, s.start, s.end):
+            if s.plan.is_force and plotted.has_marks(s.plan, s.start, s.end):
                 mm = plotted.vector_length_mm(s.plan, s)
                 for key, reaction in self.position.plans.reactions.items():
                     if s.name in (key, name_of_force(reaction.pair.other, reaction.pair.link)):

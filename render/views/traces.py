@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator
 from planes.drafting.steps import Carry, Image, Similar
 from planes.drafting.steps.crossings import Cross
 from planes.plans.scales import ZERO_VECTOR_MM
-from planes.words.names import label_of, plan_of
+from planes.words.names import NamePair, PlanId
 from render.paper.marks import Line
 from render.views.plotted import Ends, Plotted
 
@@ -13,19 +13,19 @@ Triangle = tuple[complex, complex, complex]
 
 
 def construction_traces(
-    plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]
+    plotted: Plotted, plan: PlanId, drawn: Collection[NamePair]
 ) -> tuple[list[Line], list[Triangle]]:
     """Construction lines of a plan with ``drawn`` vectors between those marks, and the triangles to be hatched."""
     sides = list(_lines_to_false_points(plotted, plan))
     triangles = list[Triangle]()
     for step in plotted.drawing.program.steps:
-        if plan_of(step.makes) != plan or not isinstance(step, (Similar, Image)):
+        if step.plan != plan or not isinstance(step, (Similar, Image)):
             continue
         base = (step.start, step.end) if isinstance(step, Similar) else step.image
         if step.start not in base:  # laid off from a separate mark: there is no triangle on the base
-            sides.append((plotted.mark(plan, label_of(step.start)), plotted.mark(plan, label_of(step.makes))))
+            sides.append((plotted.mark(plan, step.start.label), plotted.mark(plan, step.label)))
             continue
-        corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
+        corners = [base[0].label, step.label, base[1].label]
         a, x, b = (plotted.mark(plan, corner) for corner in corners)
         flat = abs(b - a) < ZERO_VECTOR_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_VECTOR_MM
         sides += [(a, b)] * (tuple(corners[::2]) not in drawn) + [(a, x), (x, b)] * (not flat)
@@ -34,9 +34,9 @@ def construction_traces(
     return [Line(ends, "thin", "construction") for ends in sides if abs(ends[1] - ends[0]) > ZERO_VECTOR_MM], triangles
 
 
-def _lines_to_false_points(plotted: Plotted, plan: str) -> Iterator[Ends]:
+def _lines_to_false_points(plotted: Plotted, plan: PlanId) -> Iterator[Ends]:
     """The lines that gave points of false positions."""
     for step in plotted.drawing.program.steps:
-        if plan_of(step.makes) == plan and step.quantity_represented == "false" and isinstance(step, (Carry, Cross)):
+        if step.plan == plan and step.quantity_represented == "false" and isinstance(step, (Carry, Cross)):
             for mark in (step.start,) if isinstance(step, Carry) else (step.start, step.other):
-                yield plotted.mark(plan, label_of(mark)), plotted.mark(plan, label_of(step.makes))
+                yield plotted.mark(plan, mark.label), plotted.mark(plan, step.label)

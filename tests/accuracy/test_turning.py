@@ -15,7 +15,7 @@ from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.tracks import Tie
 from planes.plans import Plans, plans_of
 from planes.scene import load, loads
-from planes.words.names import mu_name
+from planes.words.names import SCHEME_PLAN
 from tests.helpers import ROOT
 from tests.plans.test_basic_chains import counted as both_counted
 from tests.plans.test_triad_assemblies import counted
@@ -122,7 +122,7 @@ def ties_at(plans: Plans, name: str, phi: float, length: float) -> list[Tie]:
     """The leads of the basic link at an angle of the crank and a length of a rod."""
     step = next(s for s in plans.program.steps if isinstance(s, CutTrack))
     program = plans.program.cut_to_names([n for hold in step.holds for n, _ in hold.input_names()])
-    given = {**plans.given, mu_name("position"): 1.0, plans.drive_given_name: phi, name: length}
+    given = {**plans.given, SCHEME_PLAN.mu_name: 1.0, plans.drive_given_name: phi, name: length}
     things = draw_program(program, given).things
     return [hold.lead_tie(things, 1.0, Arithmetic()) for hold in step.holds]
 

@@ -24,7 +24,7 @@ from planes.cli import main
 from planes.drafting.drawing import draw_program as run_program
 from planes.scene import load
 from planes.words.errors import PlanesError
-from planes.words.names import label_of
+from planes.words.names import VELOCITY_PLAN
 from tests import confusion
 from tests.confusion import SAMPLES, Easel, easels, run_all, told
 from tests.helpers import drawings, line_drawings
@@ -101,7 +101,7 @@ def test_the_normal_part_of_a_driven_point_is_written_with_its_pivot_or_without(
     """In a table of marks, in one of segments, and beside a vector of a drawing."""
     easel = next(e for e in easels() if (e.sample, e.plan) == ("six-link", "acceleration"))
     bench = prepare(asked("acceleration", mu=easel.mu))
-    true = {label_of(m): complex(run_program(bench.program, bench.given)[m]) for m in bench.marks}
+    true = {m.label: complex(run_program(bench.program, bench.given)[m]) for m in bench.marks}
     spots = [ReadMark(written if n == "n_B" else n, z + 7) for n, z in {"p": 0j, **true}.items()]
     found = check(bench.asked, ReadPaper("t", spots))
     assert found.verdict == "right" and found.grading and not found.notes and not found.unseen
@@ -243,7 +243,7 @@ def test_the_same_persons_velocities_count() -> None:
     ]
     scene = load(SAMPLES / "kind-1-rrr.yaml")
     alone = check(Asked(scene, "acceleration"), papers[1])
-    both = check(Asked(scene, "acceleration", others={"velocity": papers[0]}), papers[1])
+    both = check(Asked(scene, "acceleration", others={VELOCITY_PLAN: papers[0]}), papers[1])
     assert alone.verdict != "right" and both.verdict == "right"
 
 

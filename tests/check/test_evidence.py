@@ -24,7 +24,6 @@ from planes.drafting.drawing import draw_program
 from planes.drafting.steps import Similar
 from planes.plans import plans_of
 from planes.scene import load
-from planes.words.names import label_of
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -84,7 +83,7 @@ def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> N
 def test_marks_put_anywhere_are_never_right(size: float) -> None:
     rng = random.Random(size)
     for bench in benches():
-        labels = [label_of(m) for m in bench.marks]
+        labels = [m.label for m in bench.marks]
         for count in (3, len(labels)):
             names = rng.sample(labels, min(count, len(labels)))
             spots = [ReadMark(n, complex(rng.uniform(-size, size), rng.uniform(-size, size)), 0.05) for n in names]
@@ -102,7 +101,7 @@ def test_scribbles_are_never_right(size: float) -> None:
         z = [complex(rng.uniform(-size, size), rng.uniform(-size, size)) for _ in range(rng.choice([4, 8, 20]))]
         sketch = ReadDrawing("scribble", words=[Words("p", z[0], 3, 2)])
         if rng.random() < 0.5:
-            sketch.words += [Words(label_of(m), rng.choice(z), 3, 2) for m in bench.marks]
+            sketch.words += [Words(m.label, rng.choice(z), 3, 2) for m in bench.marks]
         sketch.add_polyline(z)
         assert check(bench.asked, read_plan_marks(sketch, bench)).verdict != "right", (bench.asked, z)
 
@@ -169,7 +168,7 @@ def test_a_mistake_that_changes_nothing_is_not_named() -> None:
             if not isinstance(step, Similar) or complex(bench.given[step.ratio]).imag or step.makes not in bench.marks:
                 continue
             for off in (1.5 + 1j, -2 + 0.5j, 3j):
-                places = {label_of(m): complex(true[m]) + (off if m == step.makes else 0) for m in bench.marks}
+                places = {m.label: complex(true[m]) + (off if m == step.makes else 0) for m in bench.marks}
                 spots = [ReadMark("p", 0j), *(ReadMark(n, z, 0.05) for n, z in places.items())]
                 assert check(bench.asked, ReadPaper("t", spots)).mistake != "similarity_mirrored", (bench.asked, step)
                 count += 1

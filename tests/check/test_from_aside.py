@@ -12,11 +12,11 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.outcome import check
 from planes.check.vision.from_aside import fitted_camera_tilt, with_scale_and_tilt_errors
 from planes.check.vision.image.lens import Lens
-from planes.words.names import POLE_LABEL, label_of
+from planes.words.names import POLE_LABEL
 from tests import confusion
 
 BENCH = confusion.bench("six-link", "velocity")
-TRUE = {label_of(m): z for m, z in BENCH.true_marks.items()}
+TRUE = BENCH.true_marks
 FIRST = TRUE["b"]
 LENS = Lens(30 - 15j, 240.0, FIRST)
 TILT = 0.20 - 0.16j  # 14° from straight above

@@ -19,7 +19,7 @@ from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.scene import load
 from planes.solving import solve
-from planes.words.names import POLE_LABEL, label_of
+from planes.words.names import POLE_LABEL
 from tests.sample_oracle import EXPECTED, SAMPLES
 
 NAMES = ("class-three/rods", "class-three/guide", "class-four/tray", "class-four/press", "class-four/two-guides")
@@ -40,8 +40,8 @@ def forces(name: str, plan: str) -> list[Row]:
     found, rows = solve(load(SAMPLES / f"{name}.yaml")).positions[0], [(POLE_LABEL, 0j)]
     for step in found.plans.program.steps:
         if isinstance(step, LayOff | Cross) and step.makes.startswith(f"{plan}:") and not step.is_auxiliary_mark:
-            rows += [(POLE_LABEL, found.drawing[step.start])] if rows[-1][0] != label_of(step.start) else []
-            rows.append((label_of(step.makes), found.drawing[step.makes]))
+            rows += [(POLE_LABEL, found.drawing[step.start])] if rows[-1][0] != step.start.label else []
+            rows.append((step.label, found.drawing[step.makes]))
     return rows
 
 

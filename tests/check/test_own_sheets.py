@@ -31,7 +31,6 @@ from planes.documents.sheets import DrawnPosition
 from planes.drafting.skill import STUDENT_SKILL
 from planes.scene import Scene, load
 from planes.solving import Position
-from planes.words.names import label_of, mu_name
 from render.files import dxf
 from render.paper.marks import Arrow, Text
 from render.sheet import Sheet
@@ -75,11 +74,11 @@ def checked(sample: str, plan: str, written: Page | Sheet, file: Path) -> Outcom
 
 def made(sample: str, plan: str, position: Position, k: int) -> tuple[Position, Variant, float]:
     """A position with a mistake of the catalogue made in the plan, and all that follows; how far its mark moves."""
-    bench = prepare(Asked(drawn(sample)[0], plan, mu=position.scales[mu_name(plan)]))
+    bench = prepare(Asked(drawn(sample)[0], plan, mu=position.scales[f"mu_{plan}"]))
     hand = Hand(bench.program, {**bench.given, **position.scales}, STUDENT_SKILL, {})
     variant = mistake_variants(bench, {}, bench.said_mu)[k]
     under = {n: numpy.ravel(v)[0].item() for n, v in hand.redraw_with_variant(variant).items() if v is not None}
-    moved = [abs(under[m] - position.drawing[m]) for m in bench.marks if m in under and label_of(m) == variant.blames]
+    moved = [abs(under[m] - position.drawing[m]) for m in bench.marks if m in under and m.label == variant.blames]
     fits = all(abs(under[m]) < 400 for m in bench.marks if m in under)
     things = {**position.drawing.things, **{n: v for n, v in under.items() if n in position.drawing}}
     wrong = replace(position, drawing=replace(position.drawing, things=things))

@@ -10,7 +10,7 @@ import pytest
 
 import planes
 from planes.scene import Scene
-from planes.words.names import POLE_LABEL, full_mark_name, plan_kind
+from planes.words.names import PlanId
 from tests.helpers import ROOT, line_drawings
 
 Vectors = dict[tuple[complex, complex], tuple[str, str, str]]
@@ -23,17 +23,18 @@ def scene_of(name: str) -> Scene:
     return planes.load(ROOT / "samples" / "vectors" / f"{name}.yaml")
 
 
-def drawn(scene: Scene, plan: str) -> tuple[Vectors, Words]:
+def drawn(scene: Scene, asked: str) -> tuple[Vectors, Words]:
     """The vectors of a plan, mm from its pole, each with its name and its ends; and where the names stand."""
+    plan = PlanId.read(asked)
     here, found, marks = planes.solve(scene), Vectors(), dict[str, complex]()
-    pole = complex(here.drawing[full_mark_name(plan, POLE_LABEL)])
+    pole = complex(here.drawing[plan.pole])
     for s in (s for s in here.plans.segments if s.plan == plan):
-        a, b = (complex(here.drawing[full_mark_name(plan, label)]) - pole for label in (s.start, s.end))
+        a, b = (complex(here.drawing[plan.mark(label)]) - pole for label in (s.start, s.end))
         if abs(b - a) > 0.3:
             found.setdefault((a, b), (s.name, s.start, s.end))
             marks |= {s.start: a, s.end: b}
     words = line_drawings.labels(marks, random.Random(1))
-    if plan_kind(plan) == "force":
+    if plan.is_force:
         words = [("p", -3 - 3j)]
         for (a, b), (name, _, _) in found.items():
             side = (b - a) / abs(b - a) * 3j

@@ -18,7 +18,7 @@ from planes.check.reading.written import Words
 from planes.documents.sheets import DrawnPosition, sheet_of
 from planes.scene import Scene
 from planes.solving import Position
-from planes.words.names import label_of
+from planes.words.names import PlanId
 from planes.words.naming import Naming
 from render.sheet import Sheet
 from tests.check.test_own_sheets import ASSIGNMENTS, READERS, SCENES, checked, drawn, made, mistakes, spoiled
@@ -161,12 +161,12 @@ def test_no_sheet_with_a_spoiled_step_is_right(
     for plan, k in ks.items():
         found = checked(sample, plan, whole, tmp_path / f"sheet{suffix}")
         free, limit = (found.grading.free, found.grading.judgement.limit) if found.grading else ({}, 0.0)
-        blamed = [m for m in free if label_of(m) == mistakes(sample, plan)[k].blames]
+        blamed = [m for m in free if m.label == mistakes(sample, plan)[k].blames]
         close = any(free[m].sigmas <= limit for m in blamed)
         assert found.verdict != "right" or close, (plan, suffix, mistakes(sample, plan)[k].mistake, blamed)
 
 
-PLANS = ["position", "velocity", "force:4-5", "force:2-3", "force:1"]
+PLANS = [*map(PlanId.read, ("position", "velocity", "force:4-5", "force:2-3", "force:1"))]
 
 
 def test_a_plan_stands_under_the_title_that_names_its_links() -> None:
@@ -175,13 +175,13 @@ def test_a_plan_stands_under_the_title_that_names_its_links() -> None:
         Words("Группа 2–3 с силами, μl = 100 мм/м", 0 + 5j, 5.0, 60.0),
         Words("План сил группы 2–3, μF = 0,01 мм/Н", 90 + 5j, 5.0, 60.0),
     ]
-    assert scale_in_title(titles, plan, "force:2-3", PLANS) == (0.01, True)
-    assert not scale_in_title(titles, body, "force:2-3", PLANS)[1]
-    assert scale_in_title(titles, plan, "force:1", PLANS) == (None, False)
+    assert scale_in_title(titles, plan, PLANS[3], PLANS) == (0.01, True)
+    assert not scale_in_title(titles, body, PLANS[3], PLANS)[1]
+    assert scale_in_title(titles, plan, PLANS[4], PLANS) == (None, False)
     assert [p for p in PLANS if shows_other_plans_only(titles, p, PLANS)] == ["force:4-5", "force:1"]
     untold = [Words("План сил, μF = 0,01 мм/Н", 90 + 5j, 5.0, 60.0)]
-    assert scale_in_title(untold, plan, "force:1", PLANS) == (0.01, True) and not shows_other_plans_only(
-        untold, "force:1", PLANS
+    assert scale_in_title(untold, plan, PLANS[4], PLANS) == (0.01, True) and not shows_other_plans_only(
+        untold, PLANS[4], PLANS
     )
 
 

@@ -13,7 +13,7 @@ from PIL import Image
 import planes
 from planes.cli import main
 from planes.documents.animation import frames_and_size, positions_over_turn
-from planes.words.names import mu_name
+from planes.words.names import VELOCITY_PLAN
 from render.paper.marks import Arrow
 from tests.helpers import ROOT
 
@@ -33,13 +33,13 @@ def test_one_scale_for_all_frames_and_poles_at_rest() -> None:
     scene = planes.load(FOUR_BAR)
     drawn, back = positions_over_turn(scene, 6, "en")
     assert not back and len(drawn) == 6
-    assert len({one.scales[mu_name("velocity")] for one in drawn}) == 1
+    assert len({one.scales[VELOCITY_PLAN.mu_name] for one in drawn}) == 1
     pages, (wide, high) = frames_and_size(scene, drawn, "en")
     tails = []
     for page, one in zip(pages, drawn, strict=True):
         (crank,) = [m for m in page if isinstance(m, Arrow) and m.name == "v_B"]
         assert abs(crank.end - crank.start) == pytest.approx(
-            abs(one.v["B"]) * one.scales[mu_name("velocity")], abs=1e-9
+            abs(one.v["B"]) * one.scales[VELOCITY_PLAN.mu_name], abs=1e-9
         )
         tails.append(crank.start)
         assert all(0 < z.real < wide and 0 < z.imag < high for z in (crank.start, crank.end))

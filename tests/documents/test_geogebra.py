@@ -8,7 +8,7 @@ import pytest
 from planes.documents.constructed import LiveFigure, draw_constructed, ggb, live_figure
 from planes.documents.constructed._numbers import GivenNumbers
 from planes.scene import load
-from planes.words.names import POLE_LABEL, full_mark_name, mu_name, plan_of
+from planes.words.names import SCHEME_PLAN
 from tests.helpers import ROOT
 from tests.helpers.geogebra import COMMANDS, Page, intersect
 
@@ -25,8 +25,8 @@ def compared(figure: LiveFigure, page: Page, labels: dict[str, str]) -> int:
     """Every mark that is shown beside the engine's own, from its pole."""
     made: dict[str, Any] = page.points()
     for mark in figure.shown_marks:
-        pole = made[labels[full_mark_name(plan_of(mark), POLE_LABEL)]]
-        own = [abs(figure.place_on_plan(m)) for m in figure.shown_marks if plan_of(m) == plan_of(mark)]
+        pole = made[labels[mark.plan.pole]]
+        own = [abs(figure.place_on_plan(m)) for m in figure.shown_marks if m.plan == mark.plan]
         assert abs(made[labels[mark]] - pole - figure.place_on_plan(mark)) <= NEAR * max(own), mark
     return len(figure.shown_marks)
 
@@ -48,7 +48,7 @@ def held(file: Path, view: str | None = None) -> None:
         moved = live_figure(scene, view, [value], "en")
         page.set = {
             labels[n]: float(moved.position.scales[n])
-            for n in map(mu_name, (*figure.stated_plans.plan_names, "position"))
+            for n in (p.mu_name for p in (*figure.stated_plans.plan_names, SCHEME_PLAN))
             if n in labels
         }
         page.set[labels[drive.coordinate_name]] = value

@@ -20,7 +20,7 @@ from planes.solving import solve
 from planes.solving.document import Block, DocumentTable, Figure, Paragraph
 from planes.solving.given import GivenTable
 from planes.words import with_decimal_sign
-from planes.words.names import mu_name, plan_kind
+from planes.words.names import PlanId
 from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text
 from render.paper.marks import Text
@@ -38,7 +38,7 @@ PER_UNIT = re.compile(r"\d мм(/[А-Яа-я°(]|·с)")
 
 
 def told_mu(mu: float, plan: str) -> str:
-    return with_decimal_sign(mu_text(mu, plan_kind(plan), "ru"), "ru")
+    return with_decimal_sign(mu_text(mu, PlanId.read(plan).kind, "ru"), "ru")
 
 
 def texts(sheet: Sheet) -> set[str]:
@@ -64,8 +64,8 @@ def test_the_plans_of_three_groups_have_room_at_the_mu_of_the_note(tmp_path: Pat
     """At 1.4 of the usual size neither A2×3 nor A0 held them, and the sheet had a μ of its own."""
     scene = load(at_random(1, tmp_path, 41012)[0].path)
     found, mus = sheet_of(scene, None, "ru", 2), solve(scene).positions[0].scales
-    plans = {v.key: v.title for v, *_ in found.views if plan_kind(v.key) == "force" and mu_name(v.key) in mus}
-    assert len(plans) == 4 and all(told_mu(mus[mu_name(plan)], plan) in title for plan, title in plans.items())
+    plans = {v.key: v.title for v, *_ in found.views if v.key.startswith("force") and f"mu_{v.key}" in mus}
+    assert len(plans) == 4 and all(told_mu(mus[f"mu_{plan}"], plan) in title for plan, title in plans.items())
     assert found.warnings == ()
 
 
@@ -80,7 +80,7 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     naming = Naming("ru", **scene_lettering(scene, drawn.plans))
     key = told(list(answer_key_blocks(scene, drawn, ("",), "ru")))
     for plan, mu in {
-        p: drawn.scales[mu_name(p)] for p in drawn.plans.plan_names if p not in ("lever", "motion")
+        p: drawn.scales[p.mu_name] for p in drawn.plans.plan_names if p not in ("lever", "motion")
     }.items():
         assert prepare(Asked(scene, plan)).said_mu == mu
         assert all(
@@ -113,8 +113,8 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
         sheet = sheet_of(scene, None, "ru", number)
         for key, title in ((v.key, v.title) for v, *_ in sheet.views if " = " in v.title):
             plan = OF_PLAN.get(key, key)
-            if (mu := drawn.scales.get(mu_name(plan))) and key != "loaded" and not (key == "lever" and still):
-                assert title.endswith(with_decimal_sign(mu_text(mu, plan_kind(plan), "ru", convention), "ru")), (
+            if (mu := drawn.scales.get(plan.mu_name)) and key != "loaded" and not (key == "lever" and still):
+                assert title.endswith(with_decimal_sign(mu_text(mu, plan.kind, "ru", convention), "ru")), (
                     key,
                     title,
                     mu,

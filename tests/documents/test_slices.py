@@ -12,7 +12,6 @@ from planes.lesson.data import lesson_data
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
 from planes.solving import Position, plans_and_requested_results, solve_position
-from planes.words.names import plan_kind
 from planes.words.naming import Naming
 from render.views.scheme import Scheme
 from tests.helpers import ROOT
@@ -43,10 +42,10 @@ def test_papers_show_what_is_asked_on_the_whole_scheme(name: str, kind: str) -> 
     now, all_of_it = shown(scene), shown(replace(every, find=None))
     naming = Naming("en", scene.frame_number)
     assert len(Scheme(now, naming).drawn_marks()) == len(Scheme(all_of_it, naming).drawn_marks())
-    kinds = {plan_kind(plan) for plan in now.plans.plan_names}
+    kinds = {plan.kind for plan in now.plans.plan_names}
     assert kind in kinds and (kind == "force" or "force" not in kinds)
     frames = lesson_data(scene)["frames"]
-    assert {plan_kind(f["plan"]) for f in frames} <= kinds
+    assert {f["plan"].kind for f in frames} <= kinds
     assert len(frames) < len(lesson_data(replace(every, find=None))["frames"])
     assert sheet_of(scene, None).marks
     heavy = any(link.mass for link in now.plans.mechanism.links.values())

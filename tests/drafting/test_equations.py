@@ -9,6 +9,7 @@ import pytest
 
 from planes.drafting.equations import Equation, Term
 from planes.words.errors import EquationError, PlanesError
+from planes.words.names import SCHEME_PLAN, VELOCITY_PLAN, PlanId
 
 V_B = Term("v_B", "p", "b", length="v_B", direction="⊥AB")
 V_CB = Term("v_CB", "b", "c", direction="⊥CB", action="⊥CB")
@@ -34,7 +35,7 @@ def test_the_underlines_of_a_term(given: dict[str, Any], known: int) -> None:
 
 
 def test_two_lines_cross() -> None:
-    e = Equation("velocity", ((V_B, V_CB), (V_C,)), "v_C")
+    e = Equation(VELOCITY_PLAN, ((V_B, V_CB), (V_C,)), "v_C")
     assert e.construction_kind == "cross"
     assert e.unknown_parts == (("v_CB", "length"), ("v_C", "length"))
     assert e.equation_text == "v_C = v_B + v_CB = v_C"
@@ -42,23 +43,23 @@ def test_two_lines_cross() -> None:
 
 
 def test_one_unknown_vector_closes_the_polygon() -> None:
-    e = Equation("velocity", ((V_B, replace(V_CB, length="v_CB")), ()), "v_C")
+    e = Equation(VELOCITY_PLAN, ((V_B, replace(V_CB, length="v_CB")), ()), "v_C")
     assert e.construction_kind == "close"
     assert e.unknown_parts == (("v_C", "length"), ("v_C", "direction"))
     assert e.equation_text == "v_C = v_B + v_CB"
-    polygon = Equation("force", ((V_B, Term("F", "b", "p")), ()))
+    polygon = Equation(PlanId("force"), ((V_B, Term("F", "b", "p")), ()))
     assert polygon.construction_kind == "close" and polygon.unknown_parts == (("F", "length"), ("F", "direction"))
 
 
 def test_a_line_and_an_arc() -> None:
-    e = Equation("position", ((circle("AB", "a", "b"),), (Term("CB", "a", "b", direction="u"),)), "r_B", "side")
+    e = Equation(SCHEME_PLAN, ((circle("AB", "a", "b"),), (Term("CB", "a", "b", direction="u"),)), "r_B", "side")
     assert e.construction_kind == "arc"
-    turned = Equation("position", ((Term("CB", "a", "b", direction="u"),), (circle("AB", "a", "b"),)))
+    turned = Equation(SCHEME_PLAN, ((Term("CB", "a", "b", direction="u"),), (circle("AB", "a", "b"),)))
     assert turned.construction_kind == "arc"
 
 
 def test_two_arcs() -> None:
-    e = Equation("position", ((circle("AB", "a", "b"),), (circle("DB", "a", "b"),)))
+    e = Equation(SCHEME_PLAN, ((circle("AB", "a", "b"),), (circle("DB", "a", "b"),)))
     assert e.construction_kind == "arcs"
     assert e.unknown_parts == (("AB", "direction"), ("DB", "direction"))
 
@@ -78,7 +79,7 @@ def test_both_unknowns_in_one_chain() -> None:
     ],
 )
 def test_without_a_total_only_what_is_taken_away_closes_a_polygon(other: int, text: str) -> None:
-    e = Equation("velocity", ((V_B, V_CB), (replace(V_C, sign=other),)))
+    e = Equation(VELOCITY_PLAN, ((V_B, V_CB), (replace(V_C, sign=other),)))
     assert e.equation_text == text and e.is_closed_polygon == (other < 0)
     assert [len(side) for side in e.sides_as_written] == ([3] if other < 0 else [2, 1])
     assert not replace(e, total="v_C").is_closed_polygon
@@ -86,7 +87,7 @@ def test_without_a_total_only_what_is_taken_away_closes_a_polygon(other: int, te
 
 def test_a_broken_chain_is_told_by_its_names() -> None:
     with pytest.raises(EquationError) as caught:
-        Equation("velocity", ((V_B, replace(V_CB, start="c")), (V_C,)), "v_C")
+        Equation(VELOCITY_PLAN, ((V_B, replace(V_CB, start="c")), (V_C,)), "v_C")
     assert str(caught.value) == "v_C = v_B + v_CB = v_C: v_CB starts at c, but the drawing has reached b"
     assert isinstance(caught.value, PlanesError)
 
@@ -100,7 +101,7 @@ def test_a_broken_chain_is_told_by_its_names() -> None:
 )
 def test_sides_must_start_and_end_together(other: Term, says: str) -> None:
     with pytest.raises(EquationError, match=says):
-        Equation("velocity", ((V_B, V_CB), (other,)), "v_C")
+        Equation(VELOCITY_PLAN, ((V_B, V_CB), (other,)), "v_C")
 
 
 @pytest.mark.parametrize(
@@ -118,18 +119,18 @@ def test_sides_must_start_and_end_together(other: Term, says: str) -> None:
 )
 def test_any_other_number_of_unknowns_is_refused(chains: Any, count: int, listed: str) -> None:
     with pytest.raises(EquationError) as caught:
-        Equation("velocity", chains)
+        Equation(VELOCITY_PLAN, chains)
     assert f"has {count} unknowns ({listed}); a plane vector equation gives exactly two" in str(caught.value)
 
 
 def test_an_unknown_sum_counts_for_two() -> None:
     with pytest.raises(EquationError, match=r"has 3 unknowns.*length of v_CB; length of v_C; direction of v_C"):
-        Equation("velocity", ((V_B, V_CB), ()), "v_C")
+        Equation(VELOCITY_PLAN, ((V_B, V_CB), ()), "v_C")
 
 
 def test_equations_and_terms_are_frozen() -> None:
-    e = Equation("velocity", ((V_B, V_CB), (V_C,)))
+    e = Equation(VELOCITY_PLAN, ((V_B, V_CB), (V_C,)))
     for thing, name in ((e, "plan"), (V_B, "name")):
         with pytest.raises(AttributeError):
             setattr(thing, name, "x")
-    assert hash(e) == hash(Equation("velocity", ((V_B, V_CB), (V_C,))))
+    assert hash(e) == hash(Equation(VELOCITY_PLAN, ((V_B, V_CB), (V_C,))))

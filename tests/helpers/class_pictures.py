@@ -15,7 +15,7 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.report.shown import vector_end_labels
 from planes.scene import Scene
-from planes.words.names import POLE_LABEL
+from planes.words.names import POLE_LABEL, PlanId
 
 DPI = 200
 PX = DPI / 25.4
@@ -32,7 +32,7 @@ def printed(pdf: Path, page: int = 0) -> Any:
 
 
 def drawn(
-    sheet: Any, scene: Scene, plan: str, wrong: Callable[[dict[str, complex]], Marks] = lambda right: right
+    sheet: Any, scene: Scene, plan: PlanId, wrong: Callable[[dict[str, complex]], Marks] = lambda right: right
 ) -> Any:
     """The plan on its blank, its marks changed by ``wrong`` if given."""
     bench = prepare(Asked(scene, plan))

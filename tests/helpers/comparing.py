@@ -14,6 +14,7 @@ from planes.drafting.drawing import Drawing, draw_program
 from planes.plans import Plans, plans_of
 from planes.plans.scales import plan_scales
 from planes.scene import Scene, loads
+from planes.words.names import Mark, scheme_mark
 from tests.helpers.mechanisms import Case, to_yaml, unmoved
 from tests.helpers.oracle import Solution, reaction_key, solve
 
@@ -30,11 +31,11 @@ class Drawn:
     def number(self, name: str) -> Any:
         return self.drawing[name] if name else 0.0
 
-    def vector(self, start: str, end: str) -> Any:
-        return (self.drawing[end] - self.drawing[start]) / self.mu["mu_" + start.rpartition(":")[0]]
+    def vector(self, start: Mark, end: Mark) -> Any:
+        return (self.drawing[end] - self.drawing[start]) / self.mu[start.plan.mu_name]
 
-    def place(self, mark: str) -> Any:
-        return self.drawing[mark] / self.mu["mu_" + mark.rpartition(":")[0]]
+    def place(self, mark: Mark) -> Any:
+        return self.drawing[mark] / self.mu[mark.plan.mu_name]
 
     @property
     def sharpest(self) -> float:
@@ -269,7 +270,7 @@ def pose(d: Drawn) -> dict[str, tuple[float, float, float]]:
     for name, link in mechanism.links.items():
         turn = math.radians(d.number(d.plans.links[name].angle))
         point, local = next(iter(link.points.items()))
-        origin = d.place(f"position:{point}") - local * cmath.rect(1.0, turn)
+        origin = d.place(scheme_mark(point)) - local * cmath.rect(1.0, turn)
         out[name] = (origin.real, origin.imag, turn)
     return out
 

@@ -13,7 +13,6 @@ from planes.lesson.told import SceneLesson
 from planes.scene import load, loads
 from planes.words import available_languages, sentence_table
 from planes.words.errors import PlanesError
-from planes.words.names import force_plan_links, plan_kind
 from tests.helpers import ROOT
 from tests.helpers.mechanisms import KINDS, make, to_yaml
 
@@ -25,7 +24,7 @@ SCENES = [
 
 def forces(told: SceneLesson) -> Iterator[tuple[str, list[int]]]:
     """Every force polygon, with the numbers of its frames."""
-    for plan in (p for p in told.plans.plan_names if plan_kind(p) == "force"):
+    for plan in (p for p in told.plans.plan_names if p.is_force):
         yield plan, [k for k, f in enumerate(told.frames) if f.plan == plan]
 
 
@@ -35,7 +34,7 @@ def in_order(told: SceneLesson) -> int:
     sought = [told.plans.moments[f.moments].unknown if f.moments is not None else "" for f in told.frames]
     for plan, own in forces(told):
         keys = [told.frames[k].key for k in own]
-        links, reactions = force_plan_links(plan), told.plans.reactions.values()
+        links, reactions = plan.links, told.plans.reactions.values()
         stated = {t.name.partition("^")[0] for e in told.plans.equations if e.plan == plan for t in e.all_terms}
         closed = {r.key for r in reactions if r.plan == plan and {r.pair.link, r.pair.other} <= {*links}}
         inside = closed - stated  # of class IV some are in the equation itself

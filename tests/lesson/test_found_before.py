@@ -17,7 +17,6 @@ from planes.plans.force.loads import names_of_loads
 from planes.scene import load
 from planes.solving import solve
 from planes.solving.document import DocumentTable, Formula, Paragraph
-from planes.words.names import full_mark_name
 from planes.words.units import number_text
 from tests.helpers import ROOT
 
@@ -90,7 +89,7 @@ def test_the_polygon_of_a_single_link_is_lit_on_the_plan_of_its_group_and_closes
     assert told
     for frame in told:
         ends = {s.name: (s.start, s.end) for s in here.plans.segments if s.plan == frame.plan}
-        place = {n: complex(here.drawing[full_mark_name(frame.plan, n)]) for pair in ends.values() for n in pair}
+        place = {n: complex(here.drawing[frame.plan.mark(n)]) for pair in ends.values() for n in pair}
         vectors = [place[ends[n][1]] - place[ends[n][0]] for n in frame.terms]
         signs = product((1, -1), repeat=len(vectors))  # a reaction is drawn as it acts on one of two links
         assert min(abs(sum(s * v for s, v in zip(way, vectors, strict=True))) for way in signs) < 1e-9

@@ -28,7 +28,7 @@ from planes.scene import load, loads
 from planes.solving import solve
 from planes.solving.document import Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import full_mark_name, label_of
+from planes.words.names import SCHEME_PLAN, VELOCITY_PLAN, PlanId, label_of, scheme_mark
 from planes.words.naming import Naming
 from render.page.lesson_page import whole_lesson_page
 from render.paper.marks import Line
@@ -229,10 +229,10 @@ def test_a_failure_is_told_by_the_step_that_fails() -> None:
     assert short and "C" in short["ru"] and "⟦v¦!miss_mm_" in short["ru"]
 
 
-def built(names: list[str], plan: str, drawing) -> complex:
+def built(names: list[str], plan: PlanId, drawing) -> complex:
     """The place of a mark drawn by nothing but the names its sentence tells, in their order."""
-    mark = {n: drawing[full_mark_name(plan, n)] for n in names if plan == "position" or not n[0].isupper()}
-    spot = {n: drawing[full_mark_name("position", n)] for n in names if n[0].isupper()}
+    mark = {n: drawing[plan.mark(n)] for n in names if plan == "position" or not n[0].isupper()}
+    spot = {n: drawing[scheme_mark(n)] for n in names if n[0].isupper()}
     if len(names) == 7:  # first, second; one, two, own; own, end
         first, second, one, two, own = names[:5]
         return mark[first] + (mark[second] - mark[first]) * (spot[own] - spot[one]) / (spot[two] - spot[one])
@@ -248,15 +248,13 @@ def test_similarity_is_told_as_it_is_drawn(path: Path) -> None:
         for lang in LESSON_LANGS:
             names = re.findall("⟨([^⟩]*)⟩", frame.words_with_rows[lang])
             assert built(names, frame.plan, drawing) == pytest.approx(drawing[frame.makes[0]], abs=1e-6)
-            assert set(frame.uses) <= {
-                full_mark_name(frame.plan if not n[0].isupper() else "position", n) for n in names
-            }
+            assert set(frame.uses) <= {(frame.plan if not n[0].isupper() else SCHEME_PLAN).mark(n) for n in names}
 
 
 def test_the_sheet_draws_no_triangle_where_similarity_is_carried() -> None:
     scene = load(str(HERE / "kind-3-rpr.yaml"))
     drawn = note_position(scene, None, "en")
-    marks = Composer(scene, "en").plan(plot_position(drawn), "velocity").marks
+    marks = Composer(scene, "en").plan(plot_position(drawn), VELOCITY_PLAN).marks
     sides = [m.points for m in marks if isinstance(m, Line) and (m.style, m.layer) == ("thin", "construction")]
     assert sides == [tuple(drawn.drawing[f"velocity:{k}"] for k in ends) for ends in (("b", "s2"), ("b", "e"))]
 
@@ -456,7 +454,7 @@ def test_the_note_has_every_figure_it_speaks_of() -> None:
     assert "scheme" in keys and "force:2-3" in keys
     text = render_document(blocks, ".html", naming).decode()
     assert text.count("<svg") == len(keys) and "<i>v</i><i><sub>CB</sub></i>" in text
-    assert json.dumps(text) and full_mark_name("position", "C") not in text
+    assert json.dumps(text) and scheme_mark("C") not in text
 
 
 def test_numbers_that_are_nothing_are_offered_as_far_as_others_of_their_kind() -> None:

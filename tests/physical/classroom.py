@@ -34,7 +34,7 @@ from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load
-from planes.words.names import POLE_LABEL, label_of, plan_kind
+from planes.words.names import POLE_LABEL, PlanId
 from tests.helpers import ROOT
 from tests.helpers.line_drawings import beside_lines, labels, vector_labels
 from tests.physical import camera
@@ -66,7 +66,7 @@ class Filled:
     """A completed blank: its owner, plan, mistake, and marks, mm from the pole."""
 
     student: str
-    plan: str
+    plan: PlanId
     mistake: str
     picture: Any
     marks: Mapping[str, complex]
@@ -88,7 +88,7 @@ def filled(out: Path, seed: int) -> Iterator[Filled]:
     for scene in sorted(out.glob("teacher/*/scene.yaml")):
         student, rng = scene.parent.name, random.Random(f"{seed} {scene.parent.name}")
         asked = load(scene)
-        plans = [p for p in known_plans(scene_plans(asked)) if plan_kind(p) != "position"]
+        plans = [p for p in known_plans(scene_plans(asked)) if p.kind != "position"]
         with pypdfium2.PdfDocument(out / "students" / student / "blank.pdf") as blank:
             assert len(blank) == len(plans), (student, len(blank), plans)
             for page, plan in zip(blank, plans, strict=True):
@@ -125,10 +125,8 @@ def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:
         if all(map(_roomy, (z + blank_pole(bench) for z in marks.values()))) and (moved > MOVED_MM or not mistake):
             break
     shaken = {n: z + ERROR_MM * complex(rng.gauss(0, 1), rng.gauss(0, 1)) for n, z in marks.items()} | {POLE_LABEL: 0j}
-    force = plan_kind(bench.asked.plan) == "force"
-    sides = (
-        polygon_sides(bench.plans, bench.asked.plan) if force else [Side("", a, b) for a, b in vector_end_labels(bench)]
-    )
+    force = bench.plan.is_force
+    sides = polygon_sides(bench.plans, bench.plan) if force else [Side("", a, b) for a, b in vector_end_labels(bench)]
     sides = [s for s in sides if abs(shaken[s.end] - shaken[s.start]) > 0.5]
     strokes = [(shaken[s.start], shaken[s.end]) for s in sides]
     if force:
@@ -142,7 +140,7 @@ def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:
 
 def _marks(bench: PreparedPlan, variant: Any) -> dict[str, complex]:
     things = bench.draw_program(variant, Tool(Arithmetic()))
-    return {} if things is None else {POLE_LABEL: 0j, **{label_of(m): complex(things[m]) for m in bench.marks}}
+    return {} if things is None else {POLE_LABEL: 0j, **{m.label: complex(things[m]) for m in bench.marks}}
 
 
 def _roomy(z: complex) -> bool:

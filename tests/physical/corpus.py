@@ -16,7 +16,6 @@ from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
 from planes.words.errors import PlanesError
-from planes.words.names import label_of
 from tests import confusion, picture_corpus
 from tests.confusion import Easel
 from tests.helpers.drawings import NONE, Hand, Mistake
@@ -108,7 +107,7 @@ def trusted(work: Work) -> str | None:
     if work.easel.plan.startswith("force"):
         return None
     right = confusion.bench(work.easel.sample, work.easel.plan)
-    known = {label_of(m) for m in right.marks}
+    known = {m.label for m in right.marks}
     where = work.mistake.where if work.mistake else ""
     return next((n for n, z in work.one.marks.items() if n in known and n != where and abs(z) > 15), None)
 

@@ -25,7 +25,7 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.words.errors import PlanesError
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
+from planes.words.names import POLE_LABEL
 from tests import confusion
 from tests.confusion import Easel
 from tests.helpers import line_drawings
@@ -48,7 +48,7 @@ def easels() -> tuple[Easel, ...]:
     found = []
     for sample in HIGHER:
         plans = prepare(confusion.bench(sample, "velocity").asked).plans.plan_names
-        kinds = [p for p in plans if plan_kind(p) in ("velocity", "acceleration", "force")]
+        kinds = [p for p in plans if p.kind in ("velocity", "acceleration", "force")]
         found += [confusion.easel(sample, plan) for plan in kinds]
     return tuple(found)
 
@@ -84,8 +84,8 @@ def drawn(easel: Easel, mistake: Variant | None, rng: random.Random) -> Drawn | 
     things = bench.draw_program(mistake, _ByHand(bench.marks, rng))
     if things is None:
         return None
-    ends = {label_of(m): complex(things[m]) for m in bench.marks}
-    if plan_kind(easel.plan) == "force":
+    ends = {m.label: complex(things[m]) for m in bench.marks}
+    if easel.plan.is_force:
         strokes, words = _polygon(bench, things)
     else:
         marks = {POLE_LABEL: 0j, **ends}
@@ -100,11 +100,8 @@ def drawn(easel: Easel, mistake: Variant | None, rng: random.Random) -> Drawn | 
 def _polygon(bench: PreparedPlan, things: Mapping[str, Point]) -> tuple[list[Stroke], list[tuple[str, complex]]]:
     """The vectors of a force polygon and their names."""
     strokes, words = list[Stroke](), [("p", -3 - 3j)]
-    for side in polygon_sides(bench.plans, bench.asked.plan):
-        a, b = (
-            0j if n == POLE_LABEL else complex(things[full_mark_name(bench.asked.plan, n)])
-            for n in (side.start, side.end)
-        )
+    for side in polygon_sides(bench.plans, bench.plan):
+        a, b = (0j if n == POLE_LABEL else complex(things[bench.plan.mark(n)]) for n in (side.start, side.end))
         if abs(b - a) > SEEN_MM:
             strokes.append((a, b))
             words.append((side.name, (a + b) / 2 + 2j))
@@ -176,7 +173,7 @@ def main(words: list[str]) -> None:
                     made[1],
                     flush=True,
                 )
-                table[condition, plan_kind(easel.plan), *made] += 1
+                table[condition, easel.plan.kind, *made] += 1
     for found, times in sorted(table.items()):
         print(*found, times)
 

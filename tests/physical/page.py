@@ -11,6 +11,7 @@ import numpy as np
 
 from planes.check.fiducials import SHEET_MM
 from planes.documents.check import blank_marks
+from planes.words.names import PlanId
 from render.files import pdf
 from tests import confusion, picture_corpus
 from tests.confusion import Easel
@@ -69,7 +70,7 @@ def _scaled(z: complex, scale: float) -> complex:
 
 
 @cache
-def _blank(sample: str, plan: str) -> Any:
+def _blank(sample: str, plan: PlanId) -> Any:
     """The blank as printed by the program, grey."""
     marks, title = blank_marks(confusion.bench(sample, plan).asked, "ru")
     data = pdf.write_png(marks, SHEET_MM, title, dpi=PX_PER_MM * 25.4)

@@ -13,7 +13,6 @@ from planes.lesson.note import Note
 from planes.plans.apart import links_with_own_polygon
 from planes.scene import load
 from planes.solving.document import DrawnViews, Figure
-from planes.words.names import mu_name
 from render.paper.marks import Text
 from tests.helpers import ROOT
 
@@ -30,10 +29,10 @@ def test_every_link_alone_is_in_balance(name: str) -> None:
     for one in (x for plan in plans.plan_names for x in links_with_own_polygon(plans, plan)):
         marks = one.vector_end_marks(plans, drawn.drawing)
         r, back = one.reactions[one.force]
-        force = -[*(marks or {}).values()][-1] / drawn.scales[mu_name(one.group)]
+        force = -[*(marks or {}).values()][-1] / drawn.scales[one.group.mu_name]
         found = drawn.of("reactions")[r.key].vector * (-1 if back else 1)
         assert (
-            abs(force - found) <= 1e-9 * max(map(abs, (marks or {0: 1.0}).values())) / drawn.scales[mu_name(one.group)]
+            abs(force - found) <= 1e-9 * max(map(abs, (marks or {0: 1.0}).values())) / drawn.scales[one.group.mu_name]
         )
         assert not math.isnan(abs(force)) and one.force not in one.known
 

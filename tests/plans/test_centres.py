@@ -17,7 +17,7 @@ from planes.scene import Scene, load, loads
 from planes.scene.mechanism import FRAME
 from planes.solving import plans_and_requested_results
 from planes.words.errors import PlanesError
-from planes.words.names import full_mark_name
+from planes.words.names import VELOCITY_PLAN
 from tests.helpers import ROOT
 from tests.helpers.mechanisms import any_scene
 
@@ -72,9 +72,7 @@ def told(plans: Plans, drawing: Drawing) -> int:
         speeds = [np.abs(drawing[omega] * drawing[far]) for omega, far in check.sides]
         if check.read:
             own = next(s for s in plans.segments if s.name == check.name and s.plan == "velocity")
-            speeds.append(
-                np.abs(drawing[full_mark_name("velocity", own.end)] - drawing[full_mark_name("velocity", own.start)])
-            )
+            speeds.append(np.abs(drawing[VELOCITY_PLAN.mark(own.end)] - drawing[VELOCITY_PLAN.mark(own.start)]))
         near = np.logical_and.reduce([drawing[far] < FAR * size for _, far in check.sides]) & np.isfinite(sum(speeds))
         assert np.all((np.abs(speeds[0] - speeds[1]) <= CLOSE * np.maximum(*speeds) + 1e-12)[near]), check
         count += 1

@@ -15,6 +15,7 @@ from planes.plans.quantities import quantities_by_name
 from planes.scene import load, loads
 from planes.solving import plans_and_requested_results, solve
 from planes.words.errors import SceneError
+from planes.words.names import ACCELERATION_PLAN, VELOCITY_PLAN, scheme_mark
 from tests.helpers import ROOT
 from tests.helpers.comparing import checked, draw
 from tests.helpers.mechanisms import KINDS, make, to_yaml
@@ -224,7 +225,9 @@ def test_sliders_on_a_driver_of_one_point_in_closed_form() -> None:
     u, r = cmath.rect(1.0, phi), x / math.cos(phi)
     dr, ddr = w * r * math.tan(phi), w**2 * r * (1 / math.cos(phi) ** 2 + math.tan(phi) ** 2)
     v, a = (dr + 1j * w * (r + 0.1)) * u, (ddr - w**2 * (r + 0.1) + 2j * w * dr) * u
-    assert abs(d.place("velocity:s2") - v) < 1e-13 and abs(d.place("acceleration:s2'") - a) < 1e-12
+    assert (
+        abs(d.place(VELOCITY_PLAN.mark("s2")) - v) < 1e-13 and abs(d.place(ACCELERATION_PLAN.mark("s2'")) - a) < 1e-12
+    )
     v3, a3 = ((dr + 1j * w * r) * u).imag, ((ddr - w**2 * r + 2j * w * dr) * u).imag
     push = (2 * a.imag + a3) / math.cos(phi)
     reaction = d.plans.reactions["F_21"]
@@ -233,9 +236,9 @@ def test_sliders_on_a_driver_of_one_point_in_closed_form() -> None:
     assert d.number(d.plans.balancing) == pytest.approx(power / w, rel=1e-13)
     assert d.number(d.plans.zhukovsky) == pytest.approx(power / w, rel=1e-13)
     d = draw(OLDHAM)  # the middle link's point runs round the circle on the two shafts, twice as fast
-    m = d.place("position:M")
-    assert abs(d.place("velocity:m") - 20j * (m - 0.025)) < 1e-14
-    assert abs(d.place("acceleration:m'") + 400 * (m - 0.025)) < 1e-13
+    m = d.place(scheme_mark("M"))
+    assert abs(d.place(VELOCITY_PLAN.mark("m")) - 20j * (m - 0.025)) < 1e-14
+    assert abs(d.place(ACCELERATION_PLAN.mark("m'")) + 400 * (m - 0.025)) < 1e-13
 
 
 @pytest.mark.parametrize("angle, turned", [(180, 180), (-180, 180), (540, -180), (90, -270), (0, 360)])

@@ -13,7 +13,7 @@ from planes.lesson.data import lesson_data
 from planes.plans import Plans, plans_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load, loads
-from planes.words.names import force_plan_links, label_of, plan_kind
+from planes.words.names import label_of, plan_of
 from tests.helpers import ROOT
 
 RRP = (ROOT / "samples" / "kind-2-rrp.yaml").read_text(encoding="utf-8")
@@ -37,15 +37,15 @@ def plans_from(text: str) -> Plans:
 def test_a_point_named_with_a_minus_is_a_mark_like_any_other() -> None:
     plain, odd = plans_from(RRP), plans_from(renamed("C", "C-"))
     for plan in plain.plan_names:
-        named = [label_of(m).replace("c-", "c").replace("C-", "C") for m in plan_marks(odd, plan)]
-        assert named == [label_of(m) for m in plan_marks(plain, plan)] != []
+        named = [m.label.replace("c-", "c").replace("C-", "C") for m in plan_marks(odd, plan)]
+        assert named == [m.label for m in plan_marks(plain, plan)] != []
 
 
 def test_trials_feet_and_places_of_guides_are_asked_of_nobody() -> None:
     plans = plans_from(RRP)
-    helpers = {label_of(name): plans.means[name].quantity for name in plans.auxiliary_marks}
+    helpers = {name.label: plans.means[name].quantity for name in plans.auxiliary_marks}
     assert helpers == {"°q-q": "guide", "F_30+": "trial", "F_30-": "trial"}
-    asked = {label_of(m) for plan in plans.plan_names for m in plan_marks(plans, plan)}
+    asked = {m.label for plan in plans.plan_names for m in plan_marks(plans, plan)}
     assert not asked & set(helpers)
 
 
@@ -85,7 +85,7 @@ def test_a_point_called_as_a_part_of_an_acceleration_is_a_point() -> None:
     for name in ("N_1", "K_1"):
         odd = plans_from(renamed("C", name))
         corners = [c.replace(f"{name}", "C") for c in map(label_of, sorted(odd.program.component_end_marks))]
-        assert corners == [label_of(c) for c in sorted(plain.program.component_end_marks)] != []
+        assert corners == [c.label for c in sorted(plain.program.component_end_marks)] != []
         assert not any(odd.points[name].acceleration == c for c in odd.program.component_end_marks)
 
 
@@ -97,7 +97,7 @@ def test_the_arm_of_one_load_is_not_taken_for_that_of_another() -> None:
     of = {n: m.of for n, m in plans.means.items() if m.quantity == "arm"}
     assert {name: of[name] for name in of if "P_2" in name} == {"h_P_2_C": "P_2", "h_P_2_2_C": "P_2_2"}
     bench = prepare(Asked(loads(RRP.replace("\ngravity:", more), "s.yaml"), "force:2-3"))
-    ways = PlanSteps(bench.plans, bench.program, bench.asked.plan)
+    ways = PlanSteps(bench.plans, bench.program, bench.plan)
     left_out = [v for v in force_variants(ways) if v.mistake == "force_missing" and v.blames == "P_2"]
     for variant in left_out:
         for step in (s for swap in variant.swaps.values() for s in swap if isinstance(s, Calculate)):
@@ -119,10 +119,7 @@ def test_a_moment_equation_belongs_to_one_force_plan(name: str) -> None:
     """Where one link of a group has a force plan of its own as well."""
     plans = scene_plans(load(ROOT / "samples" / f"{name}.yaml"))
     each = [
-        m.unknown
-        for plan in plans.plan_names
-        if plan_kind(plan) == "force"
-        for m in plans.moment_equations_on_links(force_plan_links(plan))
+        m.unknown for plan in plans.plan_names if plan.is_force for m in plans.moment_equations_on_links(plan.links)
     ]
     assert len(each) == len({*each})
 
@@ -130,6 +127,6 @@ def test_a_moment_equation_belongs_to_one_force_plan(name: str) -> None:
 def test_a_stated_tangential_part_is_one_and_no_other_force_is() -> None:
     """The lesson tells why it is laid off; a normal part, and a whole reaction, have no such reason."""
     plans = scene_plans(load(ROOT / "samples" / "vectors" / "group.yaml"))
-    kinds = {label_of(n): m.quantity for n, m in plans.means.items() if plan_kind(n) == "force"}
+    kinds = {label_of(n): m.quantity for n, m in plans.means.items() if plan_of(n).is_force}
     assert {n for n, kind in kinds.items() if kind == "tangential"} == {"F_21t", "F_36t"}
     assert kinds["G_2"] == "weight" and "F_21n" not in kinds and "F_24" not in kinds

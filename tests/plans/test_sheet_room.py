@@ -13,7 +13,6 @@ from planes.plans.scales import PLAN_FIT_MM, ScaleChoice, plan_scales, plan_size
 from planes.plans.sheet_room import LARGER_SIZES, SheetRoom
 from planes.scene import Scene, load
 from planes.solving import plans_and_requested_results, solve
-from planes.words.names import mu_name, plan_kind
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -73,8 +72,8 @@ def test_a_scale_of_the_scene_wins() -> None:
     said = {**scene.mu, "velocity": 7.0, "force": 0.03}
     scales = plan_scales(plans, said)
     for plan in plans.plan_names:
-        if plan_kind(plan) in ("velocity", "force"):
-            assert scales[mu_name(plan)] == said[plan_kind(plan)]
+        if plan.kind in ("velocity", "force"):
+            assert scales[plan.mu_name] == said[plan.kind]
 
 
 def test_every_position_of_the_drive_has_a_choice() -> None:

@@ -11,6 +11,7 @@ import pytest
 
 from planes.scene import load
 from planes.solving import solve
+from planes.words.names import ACCELERATION_PLAN, VELOCITY_PLAN
 from planes.words.naming import Naming
 from render.paper.hues import DETAIL_NAME_SUFFIX
 from render.paper.marks import Arc, Arrow, Text
@@ -64,7 +65,7 @@ def test_every_short_vector_is_drawn_again_larger(name, number):
 def test_marks_that_a_detail_draws_apart_are_named_apart(number):
     scene = replace(load(SAMPLES["six-link"].parent / "assignments" / f"{number}.yaml"), find=None)
     position, naming = solve(scene).positions[0], Naming("ru")
-    for plan in ("velocity", "acceleration"):
+    for plan in (VELOCITY_PLAN, ACCELERATION_PLAN):
         polygon = Polygon(plot_position(position), plan, naming)
         polygon.drawn_marks()
         for one in make_details(polygon.places.values(), "ABCDEFG"):

@@ -11,7 +11,6 @@ from planes.documents.sheets import sheet_of
 from planes.plans.measuring import scene_lettering
 from planes.scene import load
 from planes.solving import solve
-from planes.words.names import plan_kind
 from planes.words.naming import Naming
 from render.paper.hues import DETAIL_NAME_SUFFIX
 from render.paper.marks import Arrow, Text
@@ -31,7 +30,7 @@ def polygons(path):
         return
     position = solve(replace(scene, find=None)).positions[0]
     plotted, naming = plot_position(position), Naming("ru", **scene_lettering(scene, position.plans))
-    for plan in (p for p in drawn_plans(plotted, position) if plan_kind(p) == "force"):
+    for plan in (p for p in drawn_plans(plotted, position) if p.is_force):
         yield Polygon(plotted, plan, naming)
 
 

@@ -16,7 +16,7 @@ from planes.plans.curves import driven_link_and_sliding
 from planes.scene import load, loads
 from planes.solving import plans_and_requested_results, solve
 from planes.solving.given import GivenTable
-from planes.words.names import force_plan_links, force_plan_name
+from planes.words.names import PlanId
 from planes.words.naming import Naming
 from render.labels import Label, place_labels
 from render.paper.marks import Arrow, Line, Text
@@ -278,7 +278,7 @@ def test_figures_follow_the_calculation_on_the_module(name):
     assert steps == sorted(steps, key=steps.index)  # each step whole before the next
     for step in dict.fromkeys(steps):
         first, *links = [v.key for v in figures if v.step == step][1:]
-        alone = {force_plan_name(link) for link in force_plan_links(step)}
+        alone = {PlanId("force", link) for link in step.links}
         assert first == step and links[:1] in ([], ["apart"]) and set(links[1:]) <= alone
 
 

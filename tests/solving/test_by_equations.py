@@ -14,7 +14,6 @@ from planes.solving import Position, solve
 from planes.solving.by_equations import scene_text_by_equations
 from planes.solving.own_equations import mechanism_vectors
 from planes.words.errors import SceneError
-from planes.words.names import mu_name, plan_kind, plan_of
 from tests.helpers import ROOT
 
 SIX = ROOT / "samples" / "six-link.yaml"
@@ -34,8 +33,8 @@ def beside(file: Path, equations: list[str]) -> tuple[Scene, Position]:
 def drawn(text: str) -> dict[str, complex]:
     """The vectors of a scene of vectors, in SI."""
     (p,) = solve(loads(text)).positions
-    ends = {name: span for name, span in p.plans.vectors.items() if plan_of(span[0]) != "contour"}
-    return {n: (p.drawing[b] - p.drawing[a]) / p.scales[mu_name(plan_of(a))] for n, (a, b) in ends.items()}
+    ends = {name: span for name, span in p.plans.vectors.items() if span[0].plan != "contour"}
+    return {n: (p.drawing[b] - p.drawing[a]) / p.scales[a.plan.mu_name] for n, (a, b) in ends.items()}
 
 
 @pytest.mark.few(12)
@@ -47,7 +46,7 @@ def test_equations_of_a_textbook_give_the_vectors_of_the_mechanism(file: Path) -
         return
     (p,) = solve(scene).positions
     known = dict(mechanism_vectors(p.plans, p.drawing, p.scales))
-    moved = (e for e in p.plans.equations if plan_kind(e.plan) in ("velocity", "acceleration", "force"))
+    moved = (e for e in p.plans.equations if e.plan.kind in ("velocity", "acceleration", "force"))
     own = [
         e.equation_text.replace("−", "-")
         for e in moved

@@ -13,7 +13,6 @@ import pytest
 from planes.plans.measuring import plan_name_in_words
 from planes.scene import Scene, load
 from planes.solving import Position, Solved, solve
-from planes.words.names import full_mark_name
 from tests.helpers import ROOT
 from tests.helpers.oracle import Solution, follow
 from tests.helpers.oracle import solve as oracle_solve
@@ -73,7 +72,7 @@ def names(position: Position) -> dict[str, Any]:
     reactions = {k: r["force"] if isinstance(r, dict) else r for k, r in found["reactions"].items()}
     segments = {s["name"]: s["value"] for p in found["plans"].values() for s in p["segments"].values()}
     vectors = {
-        s.name: (position.drawing[full_mark_name(s.plan, s.end)] - position.drawing[full_mark_name(s.plan, s.start)])
+        s.name: (position.drawing[s.plan.mark(s.end)] - position.drawing[s.plan.mark(s.start)])
         / position.scales[f"mu_{s.plan}"]
         for s in position.plans.segments
         if s.plan in found["plans"]

@@ -15,6 +15,7 @@ from planes.check.vision.image.opencv import connected_components, cv
 from planes.geometry.arrays import Array, Greys
 from planes.geometry.plane import off_segment
 from planes.words.frozen import frozen
+from planes.words.names import NumbersByName
 
 SHAPES_OF_LETTER = {
     "I": "|1Ф",
@@ -56,7 +57,6 @@ EXTRA_PIECE_LOG_PROB = math.log(0.7)
 LEAST_SHAPE_LOG_PROB = math.log(1e-3)
 OTHER_WORD_LOG_ODDS = 0.7
 NAME_ASSIGNMENT_ROUNDS = 8  # iterations that assign words to names
-MOST_NAME_CERTAINTY = 0.85  # maximum probability of reading a name correctly
 LOG_PROB_TEMPERATURE = 1.2  # divisor of logarithms, for calibration: readings at 90 % are right in 90 %
 MOST_NAME_TO_POINT_MM = 7.0  # maximum distance of a name from its point
 # of a name from its vector; softness; probability of a name elsewhere
@@ -71,7 +71,7 @@ class HandWord:
 
     low: complex
     high: complex
-    likely: Mapping[str, float]
+    likely: NumbersByName
 
     def distance_to_segment(self, a: complex, b: complex) -> float:
         """The distance of the word's middle line from the segment from a to b."""

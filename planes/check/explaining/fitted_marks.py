@@ -1,18 +1,15 @@
 """Marks at the intersections of their lines: each line fitted to its ink, each mark to its lines (least squares)."""
 
-from collections.abc import Mapping
-
 import numpy
 
 from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.explaining import weights as w
 from planes.check.explaining.plan_lines import PlanLines, lines_to_look_for
 from planes.geometry.arrays import Complexes
+from planes.words.names import NumbersByName
 
 
-def fitted_marks(
-    plan: PlanLines, ink: SheetInk, pole: complex, places: Complexes, own_mm: Mapping[str, float]
-) -> Complexes:
+def fitted_marks(plan: PlanLines, ink: SheetInk, pole: complex, places: Complexes, own_mm: NumbersByName) -> Complexes:
     """The positions of the marks (in the order of the plan's names, mm from the pole), moved to where their lines meet.
 
     Along a line that no other line crosses they stay, with the uncertainty ``own_mm``.

@@ -19,6 +19,7 @@ from planes.check.explaining.weights import (
     SHORTEST_LINE_MM,
     VISIBLE_LINE_MM,
 )
+from planes.check.grading.paper import MarkPlaces
 from planes.words.frozen import replace
 from planes.words.names import POLE_LABEL
 
@@ -77,7 +78,7 @@ def trial_displacements(plan: PlanLines, base: Hypothesis) -> list[Free]:
     return [one for mark in plan.names[:-1] if mark not in fixed for one in _trial_displacements_of(plan, places, mark)]
 
 
-def _trial_displacements_of(plan: PlanLines, places: dict[str, complex], mark: str) -> Iterator[Free]:
+def _trial_displacements_of(plan: PlanLines, places: MarkPlaces, mark: str) -> Iterator[Free]:
     starts = [s for s, e in plan.lines if e == mark]
     starts += [e for s, e in plan.lines if s == mark and plan.kind == "position"]
     for start in dict.fromkeys(starts):

@@ -17,7 +17,7 @@ from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point
 from planes.geometry.arrays import Array, Booleans, Complexes
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
+from planes.words.names import POLE_LABEL, NamePair, label_of
 
 LAST_SIDE_END = "end"  # end of a force polygon's last side: at the pole, if the polygon closes
 # around a point of a scheme, and a support or slider, ink belongs to symbols
@@ -27,7 +27,7 @@ SUPPORT_SYMBOL_RADIUS_MM = 9.5
 HIDDEN_LINE_END_MM = 0.8
 GUIDE_OVERRUN_MM = 30.0
 COINCIDENT_LINES_MM = 0.6  # coincident lines are no farther apart
-Line = tuple[str, str]
+Line = NamePair
 
 
 @frozen
@@ -81,8 +81,8 @@ class PlanLines:
     sides: list[Side] = field(default_factory=list)  # of a force polygon, from the pole round to its end
 
     def __post_init__(self) -> None:
-        self.kind = plan_kind(self.bench.asked.plan)
-        self.labels = [label_of(m) for m in self.bench.marks]
+        self.kind = self.bench.kind
+        self.labels = [m.label for m in self.bench.marks]
         self.names = [
             *self.labels,
             *([LAST_SIDE_END] if self.kind == "force" else []),
@@ -95,7 +95,7 @@ class PlanLines:
 
     def _lines_and_needed(self) -> tuple[list[Line], list[bool]]:
         known = {POLE_LABEL, *self.labels}
-        plan = self.bench.asked.plan
+        plan = self.bench.plan
         if self.kind == "position":
             return self._link_sides_and_needed()
         if self.kind == "force":
@@ -164,8 +164,8 @@ class PlanLines:
         NaN where they cannot be constructed, None if none can.
         """
         both = {n: hypothesis.nudges.get(n, 0j) + nudges.get(n, 0j) for n in {*hypothesis.nudges, *nudges}}
-        moved = {
-            full_mark_name(self.bench.asked.plan, n): v for n, v in both.items() if n not in (LAST_SIDE_END, POLE_LABEL)
+        moved: dict[str, Point] = {
+            self.bench.plan.mark(n): v for n, v in both.items() if n not in (LAST_SIDE_END, POLE_LABEL)
         }
         things = self.bench.draw_program(hypothesis.variant, _Nudging(moved, count))
         if things is None:

@@ -28,8 +28,10 @@ from planes.check.explaining.hypotheses import (
     with_mark_displaced,
 )
 from planes.check.explaining.plan_lines import Hypothesis, PlanLines, lines_to_look_for
+from planes.check.grading.paper import MarkPlaces
 from planes.geometry.arrays import Array, Booleans, Complexes
 from planes.words.frozen import replace
+from planes.words.names import NamePair
 
 Moves = Mapping[str, complex | Array]
 """Displacements of marks, mm."""
@@ -47,7 +49,7 @@ class Laid:
     hypothesis: Hypothesis
     score: float
     cover: float = 0.0
-    places: dict[str, complex] = field(default_factory=dict)
+    places: MarkPlaces = field(default_factory=dict)
     sigmas: dict[str, float] = field(default_factory=dict)
     strange: float = 0.0  # ink explained by none of its lines, mm
     moved: dict[str, float] = field(default_factory=dict)  # distances from the constructed points, mm
@@ -248,7 +250,7 @@ class Scorer:
         drawn = numpy.concatenate([drawn for *_, drawn in rough])
         self.box = self.box or self._drawing_box(base, drawn)
         scores = self.full_scores(base, drawn, True)[0] - numpy.array([h.cost for _, h, _ in rough])
-        best: dict[tuple[str, str], Hypothesis] = {}
+        best: dict[NamePair, Hypothesis] = {}
         for k in numpy.argsort(-scores, kind="stable").tolist():
             best.setdefault((rough[k][1].kind, rough[k][1].mark), rough[k][1])
         return [*best.values()][: w.MOST_HYPOTHESES_SETTLED]
@@ -261,7 +263,7 @@ class Scorer:
         if drawn is None:
             return []
         scores = self._rough_drawing_scores(base, drawn) - [w.HYPOTHESIS_COSTS[kind] for kind, *_ in sizes]
-        kept: dict[tuple[str, str], list[complex]] = {}
+        kept: dict[NamePair, list[complex]] = {}
         best = []
         for k in numpy.argsort(-scores, kind="stable")[: w.MOST_DISPLACEMENTS].tolist():
             kind, mark, z = sizes[k]
@@ -355,7 +357,7 @@ class Scorer:
         ways = [complex(numpy.exp(0.25j * math.pi * k)) for k in range(8)]
         return [(n, mm * way) for n in self.plan.names for mm in sizes for way in ways]
 
-    def _move_marks_to_line_ends(self, h: Hypothesis, held: dict[str, complex]) -> None:
+    def _move_marks_to_line_ends(self, h: Hypothesis, held: MarkPlaces) -> None:
         """Moves each mark to a nearby end of a line; the steps after it continue from there."""
         for m, n in enumerate(self.plan.labels):
             drawn = self.plan.mark_positions(h, held, 1)
@@ -365,9 +367,7 @@ class Scorer:
                 about = w.MOVE_TO_END_MM + w.MOVE_TO_END_PER_MM * abs(drawn[0, m])
                 held[n] += nearest if abs(nearest) < about else 0j
 
-    def _settle_by_moves(
-        self, h: Hypothesis, held: dict[str, complex], about: int, moves: list[tuple[str, complex]]
-    ) -> Array:
+    def _settle_by_moves(self, h: Hypothesis, held: MarkPlaces, about: int, moves: list[tuple[str, complex]]) -> Array:
         """The scores of moving each mark from where it is ``held``, once no move improves the score."""
         best = -math.inf
         scores = numpy.zeros(0)

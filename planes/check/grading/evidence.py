@@ -11,11 +11,11 @@ from collections.abc import Iterable, Mapping
 import numpy
 
 from planes.check.grading.handwork import Hand, Miss, Misses
-from planes.check.grading.paper import ReadMarks
+from planes.check.grading.paper import TakenMarks
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
 from planes.geometry.plane import distance_to_nearest
-from planes.words.names import POLE_LABEL, full_mark_name
+from planes.words.names import Mark
 
 MOST_CHANCE_OF_RANDOM_MARKS = 0.02  # acceptable probability that random marks pass: one vector of 50 mm at a free scale
 MOST_CHANCE_OF_RANDOM_LENGTHS = 0.05  # the same for lengths, each of which carries half the evidence of a mark
@@ -31,7 +31,7 @@ SURE_VERDICT_PROBABILITY = 0.98  # a less certain verdict is called likely
 LEAST_UNASKED_PROBABILITY = 0.8  # a less certain verdict on a picture becomes a question
 
 
-def marks_extent_mm(hand: Hand, marks: Iterable[str]) -> float:
+def marks_extent_mm(hand: Hand, marks: Iterable[Mark]) -> float:
     """The extent of the person's own marks from the pole, mm."""
     return max((abs(hand.taken[m].place) for m in marks if m in hand.taken), default=0.0)
 
@@ -63,7 +63,7 @@ def chance_of_random_lengths(shares: Iterable[float], free: bool) -> float:
     return math.prod(chances) / (min(chances) if free else 1.0)
 
 
-def candidate_scales(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float, float]]:
+def candidate_scales(bench: PreparedPlan, taken: TakenMarks) -> list[tuple[float, float]]:
     """Candidate scales (mm per unit) with their relative errors: the stated one first.
 
     Then the scale on which most vectors agree, taken from the most accurate of them.
@@ -80,11 +80,11 @@ def candidate_scales(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float,
     return [(bench.said_mu * ratio, error) for ratio, error in scales[:MOST_CANDIDATE_SCALES]]
 
 
-def _drawn_to_true_ratios(bench: PreparedPlan, taken: ReadMarks) -> list[tuple[float, float]]:
+def _drawn_to_true_ratios(bench: PreparedPlan, taken: TakenMarks) -> list[tuple[float, float]]:
     """Ratios of drawn to true lengths with their errors: of the vectors in a force plan, else from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    force = bench.kind == "force"
-    pole = full_mark_name(bench.plan, POLE_LABEL)
+    force = bench.plan.is_force
+    pole = bench.plan.pole
     ratios = []
     for mark in bench.marks:
         step = bench.program.steps_by_result[mark]
@@ -125,7 +125,7 @@ def any_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     return log_sum(right, broad + math.log(SLIP_PROBABILITY))
 
 
-def log_prob_no_slips(misses: Misses, broad: float, doubts: Mapping[str, float]) -> float:
+def log_prob_no_slips(misses: Misses, broad: float, doubts: Mapping[Mark, float]) -> float:
     """Logarithm of the probability that none of the marks slipped."""
     return sum(
         right_mark_log_density(m, broad, doubts[n])

@@ -12,7 +12,15 @@ from planes.words import Phrase, Told
 from planes.words.errors import closest_name
 from planes.words.frozen import frozen
 from planes.words.lettering import without_index_markup
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_of, vector_end_label
+from planes.words.names import (
+    ACCELERATION_PLAN,
+    NO_PLAN,
+    POLE_LABEL,
+    VELOCITY_PLAN,
+    NamesByName,
+    PlanId,
+    vector_end_label,
+)
 from planes.words.naming import Names
 from planes.words.written_units import unit_in_si
 
@@ -27,7 +35,7 @@ class WrittenNumber:
     given: float
     read: Callable[[Things], Real]
     signed: bool = False
-    plan: str = ""
+    plan: PlanId = NO_PLAN
     value: str = ""  # its name in the program, if any
     unit: str = ""  # of a result
 
@@ -40,7 +48,7 @@ class Figures:
     """The content of a table: figures; unknown names with the nearest known; faulty units; and missing results."""
 
     figures: list[WrittenNumber]
-    unknown: dict[str, str]
+    unknown: NamesByName
     strange: dict[str, Phrase] = field(default_factory=dict)
     missing: list[str] = field(default_factory=list)
 
@@ -90,7 +98,7 @@ def read_results(
 def quantity_figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """The measurement of a quantity of the catalogue on a drawing."""
     one = q.column_to_write
-    plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
+    plan = one.end.plan if one.part else {"omega": VELOCITY_PLAN, "epsilon": ACCELERATION_PLAN}.get(q.key, NO_PLAN)
     return WrittenNumber(
         name, value, lambda things: one.read_from_drawing(things, Many()), not one.part, plan, one.value, one.unit
     )
@@ -99,10 +107,8 @@ def quantity_figure(name: str, q: Quantity, value: float) -> WrittenNumber:
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
     plan = bench.plan
-    labels = [label_of(m) for m in bench.marks]
-    ends = [
-        n for n in (POLE_LABEL, *labels) if full_mark_name(plan, n) in bench.program.result_names
-    ]  # a scheme has no pole
+    labels = [m.label for m in bench.marks]
+    ends = [n for n in (POLE_LABEL, *labels) if plan.mark(n) in bench.program.result_names]  # a scheme has no pole
     pairs = {one + two: (one, two) for one, two in permutations(ends, 2)}
     for s in bench.plans.segments:
         if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
@@ -122,8 +128,8 @@ def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -
     return Figures(figures, {text: _nearest_known_name(text, names) for n, text, _ in read if not n})
 
 
-def _segment_length_reader(plan: str, start: str, end: str) -> Callable[[Things], Real]:
-    return lambda things: abs(things[full_mark_name(plan, end)] - things[full_mark_name(plan, start)])
+def _segment_length_reader(plan: PlanId, start: str, end: str) -> Callable[[Things], Real]:
+    return lambda things: abs(things[plan.mark(end)] - things[plan.mark(start)])
 
 
 def value_without_error_columns(value: Real) -> float:

@@ -15,11 +15,12 @@ from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.arrays import Array
 from planes.words.errors import PlanesError
+from planes.words.names import Mark, MarkTuple
 
 JACOBIAN_STEP_MM = 0.01  # step small enough for lines to stay lines
 # a follower that moves by a smaller share of a mark's displacement lies within the drawing error
 LEAST_FOLLOWER_SHARE = 0.25
-Showing = list[tuple[str, ...]]
+Showing = list[MarkTuple]
 
 
 def source_marks_of_elements(program: Program) -> dict[str, set[str]]:
@@ -31,7 +32,7 @@ def source_marks_of_elements(program: Program) -> dict[str, set[str]]:
     return roots
 
 
-def determining_mark_sets(truth: Drawing, mark: str, marks: Iterable[str]) -> Showing:
+def determining_mark_sets(truth: Drawing, mark: Mark, marks: Iterable[Mark]) -> Showing:
     """The sets of ``marks`` that determine the position of one: itself, then one or two of those drawn from it."""
     moves = _follower_jacobians(truth, mark, [m for m in marks if m != mark])
     alone = [m for m, jacobian in moves.items() if _has_full_rank(jacobian)]
@@ -40,7 +41,7 @@ def determining_mark_sets(truth: Drawing, mark: str, marks: Iterable[str]) -> Sh
     return [(mark,), *((m,) for m in alone), *pairs]
 
 
-def _follower_jacobians(truth: Drawing, mark: str, others: Collection[str]) -> dict[str, Array]:
+def _follower_jacobians(truth: Drawing, mark: Mark, others: Collection[Mark]) -> dict[Mark, Array]:
     """For each follower the matrix of its displacement with a mark, mm per mm."""
     columns = []
     steps = truth.program.steps_to_redraw([mark])

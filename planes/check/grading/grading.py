@@ -16,7 +16,7 @@ from planes.check.grading.followers import Showing, determining_mark_sets, sourc
 from planes.check.grading.handwork import Hand, Miss, Misses
 from planes.check.grading.judging import Judgement, judge, mark_verdicts
 from planes.check.grading.off_vectors import wrong_vector_phrase
-from planes.check.grading.paper import ReadMarks, ReadPaper
+from planes.check.grading.paper import ReadPaper, TakenMarks
 from planes.check.grading.polygons import Rebuilt, align_marks, marks_of_earlier_plans
 from planes.check.grading.prepared_plan import PreparedPlan, mistake_variants
 from planes.drafting.drawing import Drawing, draw_program
@@ -26,7 +26,7 @@ from planes.geometry.plane import distance_to_nearest
 from planes.plans.extents import plan_extent
 from planes.plans.scales import ZERO_VECTOR_MM
 from planes.words import Phrase, Written
-from planes.words.names import full_mark_name, label_of, letter_of, mu_name, plan_kind, plan_of
+from planes.words.names import NO_MARK, Mark, letter_of
 
 OWN_SCALE_LOG_ODDS = -3.0  # logarithm of the prior odds of a scale other than the stated one
 SHORTEST_SEEN_VECTOR_MM = 3.0  # a shorter vector shows no scale, and may be invisible
@@ -40,7 +40,7 @@ class Grading:
 
     hand: Hand
     truth: Drawing
-    marks: list[str]
+    marks: list[Mark]
     mu: float
     judgement: Judgement
     free: Misses
@@ -73,11 +73,11 @@ class Grading:
     @property
     def _short_unseen_forces_mm(self) -> dict[str, float]:
         """Lengths of the short unseen forces, by their marks."""
-        absent = [m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent]
-        lengths = {label_of(m): self.laid_off_length_mm(m) for m in absent}
+        absent = [m for m in self.marks if self.rebuilt and m.label in self.rebuilt.absent]
+        lengths = {m.label: self.laid_off_length_mm(m) for m in absent}
         return {m: mm for m, mm in lengths.items() if ZERO_VECTOR_MM <= mm <= SHORTEST_SEEN_VECTOR_MM}
 
-    def laid_off_length_mm(self, mark: str) -> float:
+    def laid_off_length_mm(self, mark: Mark) -> float:
         """The length of a vector that is laid off; 0 for other constructions."""
         step = self.hand.program.steps_by_result[mark]
         if isinstance(step, LayOff):
@@ -101,11 +101,11 @@ class Grading:
             return 1.0
         if not (self.wrong_closing_error_mm and self.closing_error_sigma_mm):
             return self.judgement.chance_wrong
-        broad = log_density_anywhere(plan_extent(self.truth, plan_of(self.marks[0])))
+        broad = log_density_anywhere(plan_extent(self.truth, self.marks[0].plan))
         closed = log_prob_no_slips(
-            {"": Miss(self.closing_error, (self.closing_error_sigma_mm**2, 0.0, self.closing_error_sigma_mm**2))},
+            {NO_MARK: Miss(self.closing_error, (self.closing_error_sigma_mm**2, 0.0, self.closing_error_sigma_mm**2))},
             broad,
-            {"": 0.0},
+            {NO_MARK: 0.0},
         )
         return max(self.judgement.chance_wrong, chance_wrong(closed, -math.inf, ()))
 
@@ -115,7 +115,7 @@ class Grading:
         missing = named.blames if named and named.omits else self.missing_force
         if self.rebuilt is None or not (missing or (self.judgement.wrong and not named)):
             return False
-        made = (self.hand.program.steps_by_result[m] for m in self.marks if label_of(m) == missing)
+        made = (self.hand.program.steps_by_result[m] for m in self.marks if m.label == missing)
         step = next((s for s in made if isinstance(s, LayOff)), None)
         return self.rebuilt.may_be_confused_vectors(
             complex(self.truth[step.makes] - self.truth[step.start]) if step else None
@@ -134,8 +134,8 @@ class Grading:
                 isinstance(step, LayOff) and self.laid_off_length_mm(mark) > SHORTEST_SEEN_VECTOR_MM
             ):  # a short one may be there, unseen
                 miss = self.hand.miss(self.hand.things[mark], self.hand.value_without_errors(step.start))
-                if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
-                    return label_of(mark)
+                if mark.label in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
+                    return mark.label
         return None
 
     @property
@@ -160,7 +160,7 @@ class Grading:
         off = self.judgement.misses[wrong[0]].off
         if math.isfinite(abs(off)):
             return wrong_vector_phrase(self.hand, wrong[0], off)
-        return Phrase("check_undrawable", mark=label_of(wrong[0]))
+        return Phrase("check_undrawable", mark=wrong[0].label)
 
     @property
     def unverified_marks(self) -> list[str]:
@@ -169,7 +169,7 @@ class Grading:
         A mark counts, too, if a mistake explains it as well as a drawing error.
         """
         read = self.judgement.misses.keys()
-        hidden = [label_of(m) for m, ways in self.determining_marks.items() if not any(read >= {*way} for way in ways)]
+        hidden = [m.label for m, ways in self.determining_marks.items() if not any(read >= {*way} for way in ways)]
         doubted = [self.judgement.as_well.blames] if self.judgement.as_well else []
         return [
             *hidden,
@@ -179,11 +179,11 @@ class Grading:
         ]
 
     @cached_property
-    def determining_marks(self) -> dict[str, Showing]:
+    def determining_marks(self) -> dict[Mark, Showing]:
         """For each mark the evidence of its position: itself, or marks drawn from it; coincident marks need none."""
         there = [m for m in self.marks if not self._coincides_with_another(self.hand.program.steps_by_result[m])]
         absent = self.rebuilt.absent if self.rebuilt else ()
-        return {m: determining_mark_sets(self.truth, m, self.marks) for m in there if label_of(m) not in absent}
+        return {m: determining_mark_sets(self.truth, m, self.marks) for m in there if m.label not in absent}
 
     def _coincides_with_another(self, step: Step) -> bool:
         """Whether a mark coincides with another, or its laid-off length is within the drawing error."""
@@ -229,11 +229,11 @@ class Grading:
             return len(apart) > 2
         off = max((abs(judgement.misses[m].off) for m in judgement.wrong), default=0.0)
         fitting = judgement.explained.keys() if judgement.named else judgement.misses.keys() - judgement.wrong
-        others = [m for m in self.determining_marks if label_of(m) != judgement.first_wrong]
+        others = [m for m in self.determining_marks if m.label != judgement.first_wrong]
         return off > MOST_MISREADING_MM and sum(m in fitting for m in others) >= LEAST_FITTING_SHARE * len(others)
 
     @property
-    def verdicts(self) -> dict[str, str]:
+    def verdicts(self) -> dict[Mark, str]:
         """right, wrong, follows or unread for every mark of the plan."""
         return mark_verdicts(
             self.judgement, self.marks, {m: x.sigmas > self.judgement.limit for m, x in self.free.items()}
@@ -245,7 +245,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     spots, rebuilt, unknown = align_marks(bench, bench.plan, paper)
     if not spots:
         return None
-    taken = {full_mark_name(bench.plan, n): s for n, s in spots.items()} | marks_of_earlier_plans(bench)
+    taken = {bench.plan.mark(n): s for n, s in spots.items()} | marks_of_earlier_plans(bench)
     tried = []
     for mu, share in candidate_scales(bench, taken):
         grading = _grade_at_scale(bench, mu, share, taken, rebuilt)
@@ -261,18 +261,18 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
 
 def _may_be_rescaled(grading: Grading) -> bool:
     """Whether another scale may cause the wrong marks: in a force plan all forces would be wrong, not one."""
-    if not grading.judgement.wrong or plan_kind(plan_of(grading.marks[0])) != "force":
+    if not grading.judgement.wrong or not grading.marks[0].plan.is_force:
         return bool(grading.judgement.wrong)
     laid = [m for m in grading.judgement.misses if grading.laid_off_length_mm(m) > SHORTEST_SEEN_VECTOR_MM]
     return len(laid) < 2 or sum(m in grading.judgement.wrong for m in laid) > 1
 
 
 def _grade_at_scale(
-    bench: PreparedPlan, mu: float, share: float, taken: ReadMarks, rebuilt: Rebuilt | None = None
+    bench: PreparedPlan, mu: float, share: float, taken: TakenMarks, rebuilt: Rebuilt | None = None
 ) -> Grading:
     """Grades at one scale."""
     skill = bench.asked.skill
-    name = mu_name(bench.plan)
+    name = bench.plan.mu_name
     given = {**bench.given, name: mu}
     unsure = {name: share} if share and name in bench.program.given_names else {}
     hand = Hand(bench.program, given, skill, taken, unsure)

@@ -7,23 +7,23 @@ early mistake is blamed once. A variant of some steps (an assumed mistake) redra
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from types import MappingProxyType
 
 import numpy
 
-from planes.check.grading.paper import ReadMarks
+from planes.check.grading.paper import TakenMarks
 from planes.check.grading.perturbing import Nudged, error_columns
 from planes.check.grading.variants import Variant
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.skill import Skill
-from planes.drafting.steps import Aim, Same, Step, Turn
+from planes.drafting.steps import Aim, MarkStep, Same, Step, Turn
 from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point, Truth
 from planes.words.frozen import field, frozen, replace
-from planes.words.names import POLE_LABEL, label_of, plan_of
+from planes.words.names import POLE_LABEL, Mark, NumbersByName
 
 LEAST_MARK_ERROR_MM = 0.1  # minimum error of a mark on paper
 
@@ -78,7 +78,7 @@ class Miss:
         return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(self._area)
 
 
-Misses = dict[str, Miss]  # of marks
+Misses = dict[Mark, Miss]
 
 
 def needs_protractor(step: Step, given: Env) -> bool:
@@ -93,12 +93,12 @@ class Person(Tool):
     direction determines only its sign.
     """
 
-    own: dict[str, Point]  # the person's marks with reading errors
+    own: dict[Mark, Point]  # the person's marks with reading errors
     values: Env  # the given values
 
-    def is_read(self, mark: str) -> Truth:
+    def is_read(self, mark: Mark) -> Truth:
         """Whether a mark is the person's own (the pole is)."""
-        return mark in self.own or (label_of(mark) == POLE_LABEL and any(plan_of(m) == plan_of(mark) for m in self.own))
+        return mark in self.own or (mark.label == POLE_LABEL and any(m.plan == mark.plan for m in self.own))
 
     def without_errors(self, thing: Point) -> Point:
         """An element without drawing and ruler errors."""
@@ -121,7 +121,7 @@ class Person(Tool):
 
     def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         made = super().draw_by_other_steps(step, way, things)
-        if step.makes in self.own:
+        if isinstance(step, MarkStep) and step.makes in self.own:
             things[step.makes] = self.ar.where(self.is_read(step.makes), self.own[step.makes], made)
         return made
 
@@ -146,8 +146,8 @@ class Hand:
         program: Program,
         given: Env,
         skill: Skill,
-        taken: ReadMarks,
-        unsure: Mapping[str, float] = MappingProxyType({}),
+        taken: TakenMarks,
+        unsure: NumbersByName = MappingProxyType({}),
     ) -> None:
         self.program = program
         self.taken = taken
@@ -169,7 +169,7 @@ class Hand:
             self.things[name] = value
         self.made = draw_steps(program.steps, self.things, self.tool)
 
-    def misses(self, marks: Sequence[str], made: Env | None = None) -> Misses:
+    def misses(self, marks: Sequence[Mark], made: Env | None = None) -> Misses:
         """The miss of each mark, for the original steps (or those ``made`` by a variant)."""
         made = self.made if made is None else made
         return {m: self.miss(made[m], self.things[m]) for m in marks if m in self.taken and m in made}

@@ -30,7 +30,7 @@ from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
 from planes.words.frozen import frozen
-from planes.words.names import label_of
+from planes.words.names import Mark
 
 FALSE_ALARM_SHARE = 0.02  # share of right drawings with the assumed unsteadiness of hand that would be rejected
 WARNING_SIGMAS = 2.486  # as rare in two dimensions as 2σ in one
@@ -48,7 +48,7 @@ class Judgement:
 
     limit: float
     misses: Misses
-    wrong: list[str] = field(default_factory=list)
+    wrong: list[Mark] = field(default_factory=list)
     named: Variant | None = None
     runner_up: Variant | None = None
     as_well: Variant | None = None  # for marks within limits, the mistake that explains them as well as a drawing error
@@ -62,23 +62,23 @@ class Judgement:
         """The label of the mark where the drawing goes wrong."""
         if self.named:
             return self.named.blames
-        return label_of(self.wrong[0]) if self.wrong else None
+        return self.wrong[0].label if self.wrong else None
 
-    def miss_for_verdict(self, mark: str, verdict: str) -> Miss | None:
+    def miss_for_verdict(self, mark: Mark, verdict: str) -> Miss | None:
         """The miss of a mark from its step's result; from the named mistake's result, if it follows from that."""
         own = self.misses.get(mark)
         return self.explained.get(mark, own) if verdict == "follows" else own
 
 
 def judge(
-    hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
+    hand: Hand, marks: Sequence[Mark], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
 ) -> Judgement:
     """Grades marks in order of drawing and names the first mistake; ``absent`` marks are missing."""
     weighing = _Weighing(hand, marks, log_density_anywhere(extent_mm))
     judgement = Judgement(weighing.limit, weighing.misses)
     judgement.wrong = [m for m, miss in judgement.misses.items() if not miss.sigmas <= judgement.limit]
     judgement.score = sum(weighing.mark_log_density(m, miss) for m, miss in judgement.misses.items())
-    drawn = {label_of(m) for m in judgement.misses} - set(absent)
+    drawn = {m.label for m in judgement.misses} - set(absent)
     suspects = judgement.wrong[:1] or [m for m, miss in judgement.misses.items() if miss.sigmas > CLOSE_CALL_SIGMAS]
     close = any(judgement.misses[m].sigmas > WARNING_SIGMAS for m in suspects)
     ranked = weighing.rank_mistakes(variants, drawn, suspects) if suspects else []
@@ -87,7 +87,7 @@ def judge(
     elif (
         ranked and close and ranked[0].score >= LEAST_LOG_ODDS_OVER_CHANCE
     ):  # it explains close calls too well for chance
-        judgement.wrong = [m for m in judgement.misses if label_of(m) == ranked[0].variant.blames]
+        judgement.wrong = [m for m in judgement.misses if m.label == ranked[0].variant.blames]
         _name_likeliest_mistake(judgement, ranked, 0.0)
     elif ranked and ranked[0].score >= RIVAL_MISTAKE_LOG_ODDS:
         judgement.as_well = ranked[0].variant
@@ -110,7 +110,7 @@ class ScoredHypothesis:
 class _Weighing:
     """Weighs hypotheses about the marks of a hand against each other."""
 
-    def __init__(self, hand: Hand, marks: Sequence[str], broad: float) -> None:
+    def __init__(self, hand: Hand, marks: Sequence[Mark], broad: float) -> None:
         self.hand = hand
         self.broad = broad
         self.order = judging_order(hand.program.steps, marks)
@@ -120,11 +120,11 @@ class _Weighing:
         self.misses = misses_given_earlier(self.plain, self.order, self.limit)
         self.doubts = {m: hand.taken[m].doubt for m in self.plain}
 
-    def mark_log_density(self, mark: str, miss: Miss) -> float:
+    def mark_log_density(self, mark: Mark, miss: Miss) -> float:
         """Logarithm of the density of a mark's miss."""
         return any_mark_log_density(miss, self.broad, self.doubts[mark])
 
-    def unknown_cause_score(self, mark: str) -> float:
+    def unknown_cause_score(self, mark: Mark) -> float:
         """The score a mistake needs to explain a mark better than "some other cause" or a misreading."""
         miss = self.misses[mark]
         taken = misread_log_density(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP_PROBABILITY)
@@ -132,7 +132,7 @@ class _Weighing:
             math.log(OTHER_CAUSE_WEIGHT) + self._unknown_cause_log_density(mark), taken
         ) - self.mark_log_density(mark, miss)
 
-    def _unknown_cause_log_density(self, mark: str) -> float:
+    def _unknown_cause_log_density(self, mark: Mark) -> float:
         """Log density of a mark that is wrong for no known cause: anywhere, or anywhere on a line of its step."""
         step = self.hand.program.steps_by_result[mark]
         every = [self.broad]
@@ -151,7 +151,7 @@ class _Weighing:
             self.mark_log_density(m, miss) - self.mark_log_density(m, self.misses[m]) for m, miss in misses.items()
         )
 
-    def log_prob_all_right(self, suspect: str | None) -> float:
+    def log_prob_all_right(self, suspect: Mark | None) -> float:
         """Log probability that no mark slipped and a suspected one was read correctly."""
         share = log_prob_no_slips(self.misses, self.broad, self.doubts)
         if suspect is None or not math.isfinite(self.misses[suspect].sigmas):
@@ -160,7 +160,7 @@ class _Weighing:
         misread = right_mark_log_density(miss, self.broad, self.doubts[suspect])
         return share + right_mark_log_density(miss, self.broad, 0.0) - misread
 
-    def log_prob_misread_mark(self, mark: str) -> float:
+    def log_prob_misread_mark(self, mark: Mark) -> float:
         """The same with another point misread as the suspected mark, located instead by the marks drawn from it."""
         hand = self.hand
         own = hand.taken[mark]
@@ -173,7 +173,7 @@ class _Weighing:
         return self.log_likelihood_gain(misses) + off - own_miss + log_prob_no_slips(misses, self.broad, self.doubts)
 
     def rank_mistakes(
-        self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]
+        self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[Mark]
     ) -> list[ScoredHypothesis]:
         """The mistakes that affect a suspected mark, the likeliest first."""
         scored = []
@@ -183,7 +183,7 @@ class _Weighing:
             if not suspected or not self._is_visible_mistake(variant, touched):
                 continue
             under = misses_given_earlier({**self.plain, **touched}, self.order, self.limit)
-            if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
+            if any(m.label == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
                 continue  # its mark is nearer to its right position than to the one under the mistake
             # a mark missing in the drawing was most likely left out, another was not
             unlike = (variant.blames in drawn) == variant.omits
@@ -198,7 +198,7 @@ class _Weighing:
 
         A mark left out shows by its absence.
         """
-        own = [m for m in touched if label_of(m) == variant.blames] or touched
+        own = [m for m in touched if m.label == variant.blames] or touched
         apart = (replace(self.misses[m], off=touched[m].off - self.plain[m].off) for m in own)
         return variant.omits or any(not miss.sigmas <= self.limit for miss in apart)
 
@@ -230,12 +230,12 @@ def _best_variant_per_mistake(scored: Sequence[ScoredHypothesis]) -> list[Scored
     return sorted(merged, key=lambda n: -n.score)
 
 
-def mark_verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
+def mark_verdicts(judgement: Judgement, order: Sequence[Mark], strayed: Mapping[Mark, bool]) -> dict[Mark, str]:
     """right, wrong, follows or unread for every mark; ``strayed`` says which are off the true plan."""
     out = {}
     upset = False
     for mark in order:
-        label = label_of(mark)
+        label = mark.label
         upset = upset or label == judgement.first_wrong
         if mark not in judgement.misses:
             out[mark] = "unread"
@@ -247,7 +247,7 @@ def mark_verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[s
     return out
 
 
-def misses_given_earlier(misses: Misses, order: Sequence[str], limit: float) -> Misses:
+def misses_given_earlier(misses: Misses, order: Sequence[Mark], limit: float) -> Misses:
     """Every miss given those before it; a mark off by more than ``limit`` σ is no evidence about others."""
     names = [m for m in order if m in misses]
     if not names:
@@ -270,7 +270,7 @@ def misses_given_earlier(misses: Misses, order: Sequence[str], limit: float) -> 
     return {m: known_before[m] for m in misses}
 
 
-def judging_order(steps: Iterable[Step], marks: Sequence[str]) -> list[str]:
+def judging_order(steps: Iterable[Step], marks: Sequence[Mark]) -> list[Mark]:
     """Marks in order of drawing, except that a force computed from others (F^t, from moments) comes after them."""
     made = {s.makes: s for s in steps}
     laid = {m: s.length for m in marks if isinstance(s := made[m], LayOff)}

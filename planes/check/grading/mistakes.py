@@ -4,14 +4,14 @@ from collections.abc import Iterator, Sequence
 
 from planes.check.grading.plan_steps import PlanSteps, with_other_direction
 from planes.check.grading.variants import Steps, Variant, Variants
-from planes.drafting.steps import Carry, Image, LayOff, Read, Same, Similar, Step
+from planes.drafting.steps import Carry, Image, LayOff, MarkStep, Read, Same, Similar, Step
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point
 from planes.words import Phrase, Told
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, NamePair, full_mark_name, guide_of, label_of, letter_of, mu_name, plan_of
+from planes.words.names import POLE_LABEL, VELOCITY_PLAN, Mark, MarkPair, guide_of, letter_of
 
 
 def motion_variants(w: PlanSteps) -> Variants:
@@ -40,7 +40,7 @@ def _driver_mistakes(w: PlanSteps, quick: bool) -> Variants:
     if name not in w.program.given_names or mark is None:
         return
     value = float(w.given[name])
-    label = label_of(mark)
+    label = mark.label
     about = {"value": name}
     yield Variant(f"{spin}1_reversed", label, {}, {name: -value}, 1.0, about)
     if quick:
@@ -87,7 +87,7 @@ def _start_point_mistakes(w: PlanSteps, step: Cross) -> Variants:
         for one, two in ((w.pole, step.other), (step.start, w.pole)):
             yield w.variant_at_step("relative_from_pole", step, replace(step, start=one, other=two), weight=0.5)
     for known in dict.fromkeys(s for s in starts if s != w.pole):
-        met = f"{step.makes}~met"
+        met = step.plan.mark(f"{step.label}~met")
         yield w.variant_at_step(
             "relative_reversed", step, replace(step, makes=met), Carry(step.makes, known, met, known)
         )
@@ -99,7 +99,7 @@ def _similarity_mistakes(w: PlanSteps, step: Similar | Image, quick: bool) -> Va
     yield from _mirrored_similarity(w, step)
     if isinstance(step, Image) and step.start != start:
         return  # carried over from a single mark: there is no other end to start from
-    about = {"start": label_of(start), "end": label_of(end)}
+    about = {"start": start.label, "end": end.label}
     if not quick:
         yield w.variant_at_step("divided_from_wrong_end", step, _similar_on_segment(step, end, start), about=about)
         for far in (end, start):
@@ -111,17 +111,17 @@ def _similarity_mistakes(w: PlanSteps, step: Similar | Image, quick: bool) -> Va
     for one, two in ((start, end), (end, start)):
         for normal in _normal_component_ends(w, one, two):
             ends = (normal, two) if one == start else (two, normal)
-            words = {"normal": label_of(normal), **about}
+            words = {"normal": normal.label, **about}
             yield w.variant_at_step("similarity_on_tangential", step, _similar_on_segment(step, *ends), about=words)
 
 
-def _similar_on_segment(step: Similar | Image, start: str, end: str) -> Step:
+def _similar_on_segment(step: Similar | Image, start: Mark, end: Mark) -> Step:
     if isinstance(step, Similar):
         return replace(step, start=start, end=end)
     return replace(step, start=start, image=(start, end))
 
 
-def _normal_component_ends(w: PlanSteps, start: str, end: str) -> Iterator[str]:
+def _normal_component_ends(w: PlanSteps, start: str, end: str) -> Iterator[Mark]:
     """Ends of normal components laid off from ``start`` on the way to ``end``."""
     meets = w.steps.get(end)
     for step in w.own:
@@ -135,19 +135,19 @@ def _mirrored_similarity(w: PlanSteps, step: Similar | Image) -> Variants:
     name = f"mirrored {step.makes}"
     if isinstance(step, Similar):
         ratio = complex(w.given[step.ratio]).conjugate()
-        swaps = {step.makes: (replace(step, ratio=name),)}
-        yield Variant("similarity_mirrored", label_of(step.makes), swaps, {name: ratio})
+        mirrored = (replace(step, ratio=name),)
+        yield Variant("similarity_mirrored", step.label, {step.makes: mirrored}, {name: ratio})
         return
-    foot = Mirror(f"{name}°", step.of, step.like)
+    foot = Mirror(step.plan.mark(f"{step.label}~mirrored"), step.of, step.like)
     yield w.variant_at_step("similarity_mirrored", step, foot, replace(step, of=(step.of[0], foot.makes)))
 
 
 @frozen
-class Mirror(Step):
+class Mirror(MarkStep):
     """The second of the marks ``of``, mirrored in the line through the first along ``like``."""
 
-    of: NamePair
-    like: NamePair
+    of: MarkPair
+    like: MarkPair
 
     def input_names(self) -> tuple[Read, ...]:
         return tuple((n, "mark") for n in (*self.of, *self.like))
@@ -189,18 +189,18 @@ def _length_from_other_value(
 def _other_speeds(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, Steps]]:
     """Other speeds of the velocity plan, with a step that reads each if there is none yet."""
     for name, made in w.steps.items():
-        plain = isinstance(made, Measure) and plan_of(made.start) == "velocity" and "slide" not in name
+        plain = isinstance(made, Measure) and made.start.plan == "velocity" and "slide" not in name
         if name != but and plain and w.is_made_before(name, step):
             yield name, ()
     for name, made in w.steps.items():
         if (
-            made.kind == "mark"
-            and plan_of(name) == "velocity"
-            and label_of(name) != POLE_LABEL
+            isinstance(made, MarkStep)
+            and made.plan == "velocity"
+            and made.label != POLE_LABEL
             and w.is_made_before(name, step)
         ):
-            tag = f"{step.makes} v_{label_of(name).upper()}"
-            yield tag, (Measure(tag, full_mark_name("velocity", POLE_LABEL), name, None, mu_name("velocity")),)
+            tag = f"{step.makes} v_{made.label.upper()}"
+            yield tag, (Measure(tag, VELOCITY_PLAN.pole, made.makes, None, VELOCITY_PLAN.mu_name),)
 
 
 def _coriolis_mistakes(w: PlanSteps, step: LayOff) -> Variants:

@@ -7,7 +7,7 @@ from planes.check.grading.variants import Steps, Swaps, Variant, Variants
 from planes.drafting.steps import LayOff, Same, Through
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Drop, Lean, Measure, Product
-from planes.words.names import guide_of, label_of, letter_of, plan_of
+from planes.words.names import guide_of, letter_of
 
 
 def force_variants(w: PlanSteps) -> Variants:
@@ -131,13 +131,13 @@ def _formula_with_term_replaced(formula: Calculate, old: Product, new: Product) 
 
 def _moment_equation_variant(step: LayOff, mistake: str, steps: Steps, weight: float, force: str) -> Variant:
     about = {"force": force.strip("|").replace("MI_", "M_Φ")}
-    return Variant(mistake, label_of(step.makes), {step.length: steps}, {}, weight, about)
+    return Variant(mistake, step.label, {step.length: steps}, {}, weight, about)
 
 
 def _reaction_direction_mistakes(w: PlanSteps, step: Cross) -> Variants:
     """The lines of the unknown reactions in a wrong direction."""
     own = {"along": step.along, "across": step.across}
-    rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
+    rays = [s for s in w.program.steps if isinstance(s, Through) and s.start.plan == "position"]
     for side, direction in own.items():
         guide = w.base_of_perpendicular(direction)
         if guide and (named := guide_of(guide)) is not None:
@@ -152,11 +152,11 @@ def _reversed_friction_mistakes(w: PlanSteps) -> Variants:
     """Friction drawn in the direction of motion."""
     used = {n for s in w.own if isinstance(s, Cross) for n in (s.along, s.across)}
     leans = [s for s in w.program.steps if isinstance(s, Lean) and s.makes in used]
-    trial = next((s for s in w.own if label_of(s.makes)[-1:] in "+-" and isinstance(s, Cross)), None)
+    trial = next((s for s in w.own if s.label[-1:] in "+-" and isinstance(s, Cross)), None)
     if not leans or trial is None:
         return
     swaps = {}
     for lean in leans:
         back = Calculate(f"{lean.makes}~f", (Product(-1.0, ((lean.coefficient, 1),)),))
         swaps[lean.makes] = (back, replace(lean, coefficient=back.makes))
-    yield Variant("friction_along_motion", label_of(trial.makes).rstrip("+-"), swaps)
+    yield Variant("friction_along_motion", trial.label.rstrip("+-"), swaps)

@@ -4,11 +4,11 @@ import cmath
 import math
 from collections.abc import Mapping, Sequence
 
-from planes.check.grading.paper import MarkPlaces, ReadMarks
+from planes.check.grading.paper import MarkPlaces, TakenMarks
 from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.variants import Variant, Variants
 from planes.drafting.drawing import draw_program
-from planes.drafting.steps import LayOff, Step
+from planes.drafting.steps import LayOff, MarkStep, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry.arithmetic import Arithmetic
@@ -16,14 +16,14 @@ from planes.geometry.assemblies import all_assemblies
 from planes.geometry.tracks import link_origins, newton_step
 from planes.plans.assur.groups import Group
 from planes.words import Phrase, Told, Written
-from planes.words.names import label_of, letter_of
+from planes.words.names import letter_of
 
 SAME_ASSEMBLY_TOLERANCE = 1e-6  # of a link's size: within this, the assemblies are the same
 LEAST_GUIDE_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
 LEAST_LINK_SCALE_ERROR = 0.04  # a smaller error of a link's length is inaccuracy, not scale
 
 
-def position_variants(w: PlanSteps, taken: ReadMarks, mu: float) -> Variants:
+def position_variants(w: PlanSteps, taken: TakenMarks, mu: float) -> Variants:
     """Mistakes of a position plan; the person's own marks show the scale at which a link may have been drawn."""
     yield from _driver_angle_mistakes(w)
     for name, value in w.given.items():
@@ -56,7 +56,7 @@ def _guide_through_pivot_mistakes(w: PlanSteps) -> Variants:
 
 def _other_class_iii_assemblies(w: PlanSteps) -> Variants:
     """Another assembly of a class III group: its basic link elsewhere on the same three leads."""
-    cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
+    cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack)}
     for holds, cut in cuts.items():
         program = w.program.cut_to_names([name for hold in holds for name, _ in hold.input_names()])
         given = {**w.given, cut.mu: 1.0}
@@ -120,14 +120,14 @@ def _variant_of_changed_givens(
 ) -> Variants:
     """A variant blamed at the first mark of the plan that depends on the changed givens."""
     touched = w.program.steps_to_redraw((), instead={u.makes for u in users})
-    for step in [step for step in touched if step.kind == "mark" and not step.is_auxiliary_mark][:1]:
-        yield Variant(mistake, label_of(step.makes), {}, dict(givens), weight, about or {})
+    for step in [step for step in touched if step.plan and not step.is_auxiliary_mark][:1]:
+        yield Variant(mistake, step.label, {}, dict(givens), weight, about or {})
 
 
-def _link_scale_mistakes(w: PlanSteps, step: Step, taken: ReadMarks, mu: float) -> Variants:
+def _link_scale_mistakes(w: PlanSteps, step: MarkStep, taken: TakenMarks, mu: float) -> Variants:
     """A length drawn at another scale, the one shown by the person's own mark."""
     own = taken.get(step.makes)
-    label = label_of(step.makes)
+    label = step.label
     ends = []
     if isinstance(step, LayOff):
         ends.append((step.start, step.length))

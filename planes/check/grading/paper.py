@@ -13,7 +13,7 @@ from planes.check.reading.written import Stroke
 from planes.words import Phrase, available_languages, say
 from planes.words.errors import quoted_excerpt
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL
+from planes.words.names import POLE_LABEL, Mark
 from planes.words.records import decode_table
 
 REQUIRED_COLUMNS = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
@@ -54,7 +54,8 @@ class ReadMark:
         return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
-ReadMarks = dict[str, ReadMark]  # by label, or by name
+ReadMarks = dict[str, ReadMark]  # by label
+TakenMarks = dict[Mark, ReadMark]
 
 
 def with_pointed_marks(spots: Iterable[ReadMark], pointed: MarkPlaces) -> list[ReadMark]:

@@ -10,7 +10,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.plans import Plans
 from planes.words import Told
-from planes.words.names import POLE_LABEL, full_mark_name, guide_of, label_of
+from planes.words.names import PlanId, guide_of
 
 Words = Mapping[str, Told]  # names for the sentence about a mistake
 
@@ -21,14 +21,14 @@ class PlanSteps:
 
     plans: Plans
     program: Program
-    plan: str
+    plan: PlanId
 
     def __post_init__(self) -> None:
         self.given = self.plans.given
         self.steps = self.program.steps_by_result
         self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
-        self.pole = full_mark_name(self.plan, POLE_LABEL)
-        self.own = self.program.mark_steps_by_plan.get(self.plan, [])
+        self.pole = self.plan.pole
+        self.own = self.program.mark_steps_on(self.plan)
 
     def steps_using(self, name: str) -> list[Step]:
         """The steps that use an element."""
@@ -67,7 +67,7 @@ class PlanSteps:
         self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None
     ) -> Variant:
         """A mistake made at one step."""
-        label = label_of(step.makes)
+        label = step.label
         return Variant(mistake, label, {step.makes: swap}, {}, weight, {"mark": label, **(about or {})})
 
 

@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
-from planes.check.grading.paper import MarkPlaces, ReadMark, ReadMarks, ReadPaper
+from planes.check.grading.paper import MarkPlaces, ReadMark, ReadMarks, ReadPaper, TakenMarks
 from planes.check.grading.prepared_plan import PreparedPlan, mark_names
 from planes.check.grading.remedies import phrase_for_reader, phrase_with_remedy
 from planes.drafting.steps import LayOff
@@ -16,7 +16,7 @@ from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, mu_name, plan_kind, plan_of, vector_end_label
+from planes.words.names import POLE_LABEL, PlanId, vector_end_label
 from planes.words.naming import Naming
 
 # collinear: tangent of the angle; relative length of a vector that hides another
@@ -73,26 +73,24 @@ class Rebuilt:
         return [n for n, mm in long.items() if mm > SHORTEST_SEEN_VECTOR_MM and not (seen and n in self.closers)]
 
 
-def polygon_sides(plans: Plans, plan: str) -> list[Side]:
+def polygon_sides(plans: Plans, plan: PlanId) -> list[Side]:
     """All vectors of a force plan as drawn by the program, the closing ones last."""
     sides: dict[str, Side] = {}
     terms = (t for e in plans.equations if e.plan == plan for t in e.all_terms)
-    for t in (
-        t for t in terms if not {full_mark_name(plan, t.start), full_mark_name(plan, t.end)} & plans.auxiliary_marks
-    ):
+    for t in (t for t in terms if not {*plan.marks(t.start, t.end)} & plans.auxiliary_marks):
         name = vector_end_label(t.name)
         ends = (t.start, t.end) if t.sign > 0 else (t.end, t.start)
         sides.setdefault(name, Side(name, *ends))
     return list(sides.values())
 
 
-def known_force_labels(plans: Plans, plan: str) -> set[str]:
+def known_force_labels(plans: Plans, plan: PlanId) -> set[str]:
     """Labels of the marks at the ends of known forces."""
-    return {label_of(s.makes) for s in plans.program.steps if isinstance(s, LayOff) and plan_of(s.makes) == plan}
+    return {s.label for s in plans.program.steps if isinstance(s, LayOff) and s.plan == plan}
 
 
 def rebuild_polygon(
-    plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, complete: bool = True
+    plans: Plans, plan: PlanId, spots: Sequence[ReadMark], naming: Naming, complete: bool = True
 ) -> Rebuilt:
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
@@ -178,11 +176,11 @@ def _can_be_laid(side: Side, places: MarkPlaces, read: bool, loads: set[str]) ->
     return read and ended and not load
 
 
-def align_marks(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[ReadMarks, Rebuilt | None, list[str]]:
+def align_marks(bench: PreparedPlan, plan: PlanId, paper: ReadPaper) -> tuple[ReadMarks, Rebuilt | None, list[str]]:
     """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are not marks."""
     names = mark_names(bench.plans, plan, bench.naming)
     pole = next((s for s in paper.spots if names.find_name(s.name) == POLE_LABEL), None)
-    if plan_kind(plan) == "force":
+    if plan.is_force:
         if pole is None:
             raise PlanesError(Phrase("check_no_pole"))
         rebuilt = rebuild_polygon(bench.plans, plan, paper.spots, bench.naming, paper.whole)
@@ -203,17 +201,17 @@ def align_marks(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[ReadM
     return {n: replace(s, name=n, place=s.place - origin) for n, s in spots.items()}, None, unknown
 
 
-def _unread_pole_position(bench: PreparedPlan, plan: str, spots: ReadMarks) -> complex:
+def _unread_pole_position(bench: PreparedPlan, plan: PlanId, spots: ReadMarks) -> complex:
     """The position of an unread pole, from a fixed point of the scheme."""
     if plan != "position":
         raise PlanesError(Phrase("check_no_pole"))
     for name, place in bench.plans.mechanism.frame.points.items():
         if name in spots:
-            return complex(spots[name].place - place * bench.given[mu_name(plan)])
+            return complex(spots[name].place - place * bench.given[plan.mu_name])
     raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))
 
 
-def marks_of_earlier_plans(bench: PreparedPlan) -> ReadMarks:
+def marks_of_earlier_plans(bench: PreparedPlan) -> TakenMarks:
     """Marks of earlier plans in the submission."""
     aligned = ((plan, align_marks(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
-    return {full_mark_name(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}
+    return {plan.mark(n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}

@@ -9,7 +9,7 @@ from functools import cached_property
 from planes.check.grading.mistakes import motion_variants
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.mistakes_position import position_variants
-from planes.check.grading.paper import MarkPlaces, ReadMarks, ReadPaper
+from planes.check.grading.paper import MarkPlaces, ReadPaper, TakenMarks
 from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.variants import Variant, Variants
 from planes.drafting.drawing import Drawing, draw_program, draw_steps
@@ -26,7 +26,7 @@ from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, list_valid_choices
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, NamePair, full_mark_name, label_of, mu_name, plan_kind
+from planes.words.names import NO_PLAN, POLE_LABEL, VELOCITY_PLAN, Mark, NamePair, NameTuple, PlanId, label_of
 from planes.words.naming import Names, Naming
 from planes.words.units import mu_text
 
@@ -40,8 +40,8 @@ class Asked:
     value: float | None = None
     mu: float | None = None
     skill: Skill = STUDENT_SKILL
-    others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
-    answers: tuple[str, ...] = ()  # results of a complete work, where known
+    others: Mapping[PlanId, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
+    answers: NameTuple = ()  # results of a complete work, where known
 
     def command_words(self, file: str) -> list[str]:
         """The words of the command that checks a file in this way."""
@@ -59,18 +59,18 @@ class PreparedPlan:
     plans: Plans
     given: Env
     program: Program
-    marks: list[str]
+    marks: list[Mark]
     said_mu: float
 
-    @property
-    def plan(self) -> str:
-        """The name of the plan."""
-        return self.asked.plan
+    @cached_property
+    def plan(self) -> PlanId:
+        """The plan asked for."""
+        return PlanId.read(self.asked.plan)
 
     @property
     def kind(self) -> str:
         """Its kind."""
-        return plan_kind(self.plan)
+        return self.plan.kind
 
     @property
     def written_mark_names(self) -> Names:
@@ -85,7 +85,7 @@ class PreparedPlan:
     @cached_property
     def true_marks(self) -> MarkPlaces:
         """The marks of the right plan by label, mm from the pole."""
-        return {label_of(m): complex(self.right_drawing[m]) for m in self.marks}
+        return {m.label: complex(self.right_drawing[m]) for m in self.marks}
 
     @cached_property
     def right_drawing(self) -> Drawing:
@@ -96,7 +96,7 @@ class PreparedPlan:
     def leaning_reactions(self) -> list[tuple[str, str, complex, str]]:
         """The ends of each reaction that leans by friction, by label, with the direction of its guide and its index."""
         own = (r for r in self.plans.reactions.values() if r.plan == self.plan and r.leans)
-        ends = ((r, label_of(r.start), label_of(r.end)) for r in own)
+        ends = ((r, r.start.label, r.end.label) for r in own)
         return [(start, end, complex(self.right_drawing[f"∥{r.pair.guide}"]), r.index) for r, start, end in ends]
 
     @cached_property
@@ -107,7 +107,7 @@ class PreparedPlan:
     @cached_property
     def vector_names(self) -> dict[NamePair, str]:
         """The names of a motion plan's vectors by the labels of their ends."""
-        own = (s for s in self.plans.segments_by_plan.get(self.plan, ()) if s.start != s.end)
+        own = (s for s in self.plans.segments_on(self.plan) if s.start != s.end)
         return {(s.start, s.end): s.name for s in own}
 
     @cached_property
@@ -155,7 +155,7 @@ class PreparedPlan:
 
         None in a force plan, where the order of vectors, and so the positions of marks, is free.
         """
-        if self.kind == "force":
+        if self.plan.is_force:
             return {}
         return {n: place(z) for n, z in self.marks_by_label(marks).items()}
 
@@ -164,14 +164,15 @@ class PreparedPlan:
         if not mu:
             return self
         asked = replace(self.asked, mu=mu) if fixed else self.asked
-        return replace(self, asked=asked, given={**self.given, mu_name(asked.plan): mu}, said_mu=mu)
+        return replace(self, asked=asked, given={**self.given, self.plan.mu_name: mu}, said_mu=mu)
 
 
 def prepare(asked: Asked) -> PreparedPlan:
     """The program of the plan, its marks and its stated scale. Errors list the available plans."""
     plans = scene_plans(asked.scene)
     known = known_plans(plans)
-    if asked.plan not in known:
+    plan = PlanId.read(asked.plan)
+    if plan not in known:
         raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=list_valid_choices(asked.plan, known)))
     moved = {} if asked.value is None else plans.drive_givens_at(asked.value)
     plans = plans if asked.value is None else plans_with_sharp_leads(plans, asked.value)
@@ -181,40 +182,40 @@ def prepare(asked: Asked) -> PreparedPlan:
         **moved,
     }
     if asked.mu:
-        given[mu_name(asked.plan)] = asked.mu
-    marks = plan_marks(plans, asked.plan)
-    speeds = plan_marks(plans, "velocity") if asked.plan == "acceleration" else []  # any may be confused with another
+        given[plan.mu_name] = asked.mu
+    marks = plan_marks(plans, plan)
+    speeds = plan_marks(plans, VELOCITY_PLAN) if plan == "acceleration" else []  # any may be confused with another
     program = plans.program.cut_to_names([*marks, *speeds])
-    return PreparedPlan(asked, plans, given, program, marks, given[mu_name(asked.plan)])
+    return PreparedPlan(asked, plans, given, program, marks, given[plan.mu_name])
 
 
-def known_plans(plans: Plans) -> list[str]:
+def known_plans(plans: Plans) -> list[PlanId]:
     """The plans drawn by a person."""
     return [p for p in plans.plan_names if p not in ("lever", "motion")]
 
 
-def plan_marks(plans: Plans, plan: str) -> list[str]:
+def plan_marks(plans: Plans, plan: PlanId) -> list[Mark]:
     """The marks of a plan drawn by a person, in order of drawing."""
-    own = plans.program.mark_steps_by_plan.get(plan, [])
-    return [s.makes for s in own if not s.is_auxiliary_mark and label_of(s.makes) != POLE_LABEL]
+    own = plans.program.mark_steps_on(plan)
+    return [s.makes for s in own if not s.is_auxiliary_mark and s.label != POLE_LABEL]
 
 
-def mark_names(plans: Plans, plan: str, naming: Naming) -> Names:
+def mark_names(plans: Plans, plan: PlanId, naming: Naming) -> Names:
     """Names of a plan's marks; the normal component of a driven point, n_A, may include its pivot: n_AO."""
     means = ((label_of(mark), m) for mark, m in plans.means.items() if m.quantity == "normal" and m.about)
     normal = {label: (f"n_{m.of}{m.about}",) for label, m in means}
-    return naming.name_finder([label_of(m) for m in plan_marks(plans, plan)], more=normal)
+    return naming.name_finder([m.label for m in plan_marks(plans, plan)], more=normal)
 
 
-def catalogue_mistakes(ways: PlanSteps, taken: ReadMarks, mu: float) -> Variants:
+def catalogue_mistakes(ways: PlanSteps, taken: TakenMarks, mu: float) -> Variants:
     """Every possible mistake in a plan, drawn at a scale with some of a person's own marks."""
-    kind = plan_kind(ways.plan)
+    kind = ways.plan.kind
     if kind == "position":
         return position_variants(ways, taken, mu)
     return force_variants(ways) if kind == "force" else motion_variants(ways)
 
 
-def mistake_variants(bench: PreparedPlan, taken: ReadMarks, mu: float, plan: str = "") -> list[Variant]:
+def mistake_variants(bench: PreparedPlan, taken: TakenMarks, mu: float, plan: PlanId = NO_PLAN) -> list[Variant]:
     """Every possible mistake in a plan, by default the one checked."""
     drive = bench.plans.drive_given_name
     there = replace(bench.plans, given={**bench.plans.given, drive: bench.given[drive]})
@@ -225,5 +226,5 @@ def drawn_mark_position(bench: PreparedPlan, variant: Variant | None, label: str
     """The position of a mark, mm from the pole, in this drawing of the plan; None if it cannot be drawn."""
     things = bench.draw_program(variant, Tool(Arithmetic()))
     if things:
-        return complex(things[full_mark_name(bench.plan, label)])
+        return complex(things[bench.plan.mark(label)])
     return None

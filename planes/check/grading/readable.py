@@ -17,13 +17,13 @@ from planes.drafting.steps import Same
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.words import Phrase, Written
 from planes.words.lettering import plan_phrase
-from planes.words.names import label_of, plan_kind
+from planes.words.names import NO_PLAN, Mark
 
 LEAST_READ_SHARE = 0.5  # share of a plan's intersections that must be read
 MOST_MARKS_ASKED = 3  # maximum number of marks in a question
 
 
-def key_marks(grading: Grading) -> list[str]:
+def key_marks(grading: Grading) -> list[Mark]:
     """The marks needed to judge a plan: its intersections, or all that are drawn."""
     steps = grading.hand.program.steps_by_result
     key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
@@ -33,9 +33,9 @@ def key_marks(grading: Grading) -> list[str]:
 def unreadable_reason(grading: Grading, named: Collection[str] = ()) -> Phrase | None:
     """None if enough was read to judge, if only the names of some marks; otherwise what is missing, as a sentence."""
     key = key_marks(grading)
-    read_marks = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
+    read_marks = [m for m in key if m in grading.judgement.misses or m.label in named]
     if len(read_marks) < LEAST_READ_SHARE * len(key):
-        missing = ", ".join(label_of(m) for m in key if m not in read_marks)
+        missing = ", ".join(m.label for m in key if m not in read_marks)
         steps = grading.hand.program.steps_by_result
         drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # of coincident marks only one may be key
         read = sum(m in grading.judgement.misses for m in drawn)
@@ -55,7 +55,7 @@ def unreadable_reason(grading: Grading, named: Collection[str] = ()) -> Phrase |
     return None
 
 
-def _unsure_marks(grading: Grading) -> list[str]:
+def _unsure_marks(grading: Grading) -> list[Mark]:
     """Marks to ask a person about: possible misreadings, too uncertain for a verdict."""
     judgement = grading.judgement
     wrong = grading.chance_wrong if grading.fault else 1 - grading.chance_wrong
@@ -74,7 +74,7 @@ def doubtful_marks_question(grading: Grading) -> Phrase | None:
     marks = _unsure_marks(grading)
     if not marks or grading.rebuilt:
         return phrase_with_remedy("check_force_unsure") if marks else None
-    places = [(label_of(m), grading.hand.taken[m].place) for m in marks]
+    places = [(m.label, grading.hand.taken[m].place) for m in marks]
     mark_list = ", ".join(f"{n} ({z.real:.1f}; {z.imag:.1f})" for n, z in places)
     return phrase_with_remedy("check_ask", "mark", marks=Written(mark_list), mark=places[0][0])
 
@@ -84,9 +84,9 @@ def other_plan_message(bench: PreparedPlan, paper: ReadPaper) -> Phrase | None:
     written = [s.name for s in paper.spots]
     if paper.picture or all(map(bench.written_mark_names.find_exact_name, written)):
         return None
-    others = (other for other in known_plans(bench.plans) if plan_kind(other) != bench.kind)
+    others = (other for other in known_plans(bench.plans) if other.kind != bench.kind)
     fits = (o for o in others if all(map(mark_names(bench.plans, o, bench.naming).find_exact_name, written)))
-    other = next(fits, "")
+    other = next(fits, NO_PLAN)
     if not other:
         return None
     return Phrase("check_of_another_plan", other=plan_phrase(other), plan=plan_phrase(bench.plan), option=other)

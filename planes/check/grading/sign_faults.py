@@ -5,9 +5,9 @@ from typing import Literal, NamedTuple
 
 from planes.words import Phrase, Written
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL
+from planes.words.names import POLE_LABEL, NamePair, NameTuple
 
-Vector = tuple[str, str]  # the labels of its ends
+Vector = NamePair  # the labels of its ends
 # this many heads at the ends of their vectors, and most of all heads, show that the person draws them there
 LEAST_HEADS_AT_ENDS = 2
 
@@ -50,7 +50,7 @@ class SignFault:
         return self.mark
 
     @property
-    def marks(self) -> tuple[str, ...]:
+    def marks(self) -> NameTuple:
         """The wrong marks."""
         if self.mistake == "names_exchanged":
             return (self.mark, str(self.other))

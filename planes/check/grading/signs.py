@@ -8,7 +8,7 @@ from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.sign_faults import SignFault
 from planes.plans.scales import largest_fitting_scale
-from planes.words.names import POLE_LABEL, label_of
+from planes.words.names import POLE_LABEL
 
 LEAST_SWAP_DISTANCE_MM = 3.0  # marks nearer to each other may share their letters
 STANDARD_SCALE_DIFFERENCE = 0.02  # relative difference at which a scale shown by vectors stands for a standard one
@@ -23,11 +23,11 @@ def grading_with_swapped_letters(
     """
     judged = grading.judgement
     explained = judged.named is not None and judged.explained.keys() >= judged.misses.keys()
-    by_search = bool(paper.picture) and bench.kind == "force"  # the search has named its sides
+    by_search = bool(paper.picture) and bench.plan.is_force  # the search has named its sides
     if not judged.wrong or explained or by_search:
         return None
     names = {s.name: n for s in paper.spots if (n := bench.written_mark_names.find_name(s.name)) and n != POLE_LABEL}
-    wrong = {label_of(m) for m in judged.wrong}
+    wrong = {m.label for m in judged.wrong}
     for one, two in combinations(names, 2):
         if not wrong & {names[one], names[two]}:
             continue
@@ -44,4 +44,4 @@ def plan_scale_fault(bench: PreparedPlan, mu: float, chance: float = 1.0) -> Sig
     """The fault of a whole plan drawn at another scale than asked, mm per unit: a standard one, if close to it."""
     standard = largest_fitting_scale(bench.plan, 1.0, mu * (1 + STANDARD_SCALE_DIFFERENCE))
     drawn = bench.written_scale(standard if abs(standard / mu - 1) <= STANDARD_SCALE_DIFFERENCE else float(f"{mu:.3g}"))
-    return SignFault("plan_scaled", label_of(bench.marks[0]), drawn, chance, mu / bench.said_mu)
+    return SignFault("plan_scaled", bench.marks[0].label, drawn, chance, mu / bench.said_mu)

@@ -9,7 +9,7 @@ from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase, Written
 from planes.words.frozen import frozen
-from planes.words.names import letter_of, mu_name
+from planes.words.names import SCHEME_PLAN, letter_of
 from planes.words.units import number_text
 from planes.words.written_units import COMMON_INPUT_UNITS, unit_in_si
 
@@ -48,13 +48,13 @@ def _is_within_share(given: float, wanted: float, share: float) -> bool:
 
 def _possible_slips(f: WrittenNumber, true: float, free: Hand) -> Iterable[tuple[str, float]]:
     """Each slip with the number it gives."""
-    mu = drawing_value(free, mu_name(f.plan)) if f.plan else 0.0
+    mu = drawing_value(free, f.plan.mu_name) if f.plan else 0.0
     if mu and not f.value:
         yield "mm_for_value", true * mu
         yield "mu_inverted", true * mu * mu
         yield "mu_inverted", true / (mu * mu)
     if letter_of(f.value) in ("omega", "epsilon"):
-        scheme = drawing_value(free, mu_name("position"))
+        scheme = drawing_value(free, SCHEME_PLAN.mu_name)
         for factor in (1 / scheme if scheme else 0.0, mu / scheme if scheme else 0.0, 1e-3):
             yield "omega_without_mu_l", true * factor
         if mu:

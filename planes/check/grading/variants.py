@@ -9,7 +9,6 @@ from planes.drafting.steps import Same, Step
 from planes.drafting.tools import Env, Tool
 from planes.words import Phrase, Told, Written
 from planes.words.frozen import field, frozen
-from planes.words.names import label_of
 
 Steps = tuple[Step, ...]
 Swaps = Mapping[str, Steps]
@@ -32,9 +31,7 @@ class Variant:
     @property
     def omits(self) -> bool:
         """Whether it leaves out the vector to its mark, so that the mark is where the vector begins."""
-        return any(
-            isinstance(step, Same) and label_of(step.makes) == self.blames for step in chain(*self.swaps.values())
-        )
+        return any(isinstance(step, Same) and step.label == self.blames for step in chain(*self.swaps.values()))
 
     @property
     def sentence(self) -> Phrase:

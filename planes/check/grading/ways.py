@@ -4,20 +4,19 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from planes.check.grading.handwork import Hand
-from planes.check.grading.paper import ReadMarks
+from planes.check.grading.paper import TakenMarks
 from planes.check.grading.prepared_plan import PreparedPlan, known_plans, mistake_variants
 from planes.check.grading.slips import drawing_value
 from planes.check.grading.variants import Variant, Variants
-from planes.words.names import mu_name, plan_of
 
 # weight of a mistake in a plan without any of the results: its own results are assumed to be right
 EARLIER_PLAN_WEIGHT = 0.25
 
 
-def true_plan_with_errors(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: ReadMarks) -> Hand:
+def true_plan_with_errors(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: TakenMarks) -> Hand:
     """The true plan with propagated drafting errors, all that its mistakes may read, and the wanted names."""
     program = bench.plans.program.cut_to_names([*bench.program.result_names, *(n for n in wanted if n)])
-    return Hand(program, {**bench.given, mu_name(bench.plan): mu}, bench.asked.skill, taken)
+    return Hand(program, {**bench.given, bench.plan.mu_name: mu}, bench.asked.skill, taken)
 
 
 def mistakes_before_results(bench: PreparedPlan, free: Hand, shown: Collection[str]) -> Variants:
@@ -26,8 +25,8 @@ def mistakes_before_results(bench: PreparedPlan, free: Hand, shown: Collection[s
     A mistake may also be a habit, made wherever a plan has a step of its kind.
     """
     ways = replace(bench, program=free.program)
-    scales = {plan: mu_name(plan) for plan in known_plans(bench.plans)}
-    for plan in dict.fromkeys(plan_of(made) for made in free.program.steps_by_result):
+    scales = {plan: plan.mu_name for plan in known_plans(bench.plans)}
+    for plan in dict.fromkeys(step.plan for step in free.program.steps):
         if scales.get(plan) in free.things:
             weight = 1.0 if plan in shown else EARLIER_PLAN_WEIGHT
             every = mistake_variants(ways, free.taken, drawing_value(free, scales[plan]), plan)

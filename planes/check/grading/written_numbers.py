@@ -13,7 +13,6 @@ from planes.check.grading.slips import NUMBER_TOLERANCE_SHARE, NumberSlip, drawi
 from planes.check.grading.variants import Variant
 from planes.drafting.skill import TOLERANCE_SIGMAS, is_near_dead_point
 from planes.words import Phrase, Written
-from planes.words.names import mu_name
 from planes.words.units import number_text
 
 ROUNDING_ERROR_SHARE = 0.005  # of a number calculated with three digits
@@ -159,7 +158,7 @@ def _ruler_error(f: WrittenNumber, free: Hand, ruler_mm: float) -> float:
     """The error of reading the segment itself: in mm for a segment, in SI for a result measured on a plan."""
     if ruler_mm or f.value:
         return ruler_mm
-    mu = drawing_value(free, mu_name(f.plan)) if f.plan else 0.0
+    mu = drawing_value(free, f.plan.mu_name) if f.plan else 0.0
     return free.tool.skill.ruler_mm / mu if mu else 0.0
 
 

@@ -85,7 +85,7 @@ class ForceArrows:
         self.prices = numpy.zeros((0, 0))  # cost of each name for each direction of an arrow
         self.sides = polygon_sides(bench.plans, bench.plan)
         loads = known_force_labels(bench.plans, bench.plan)
-        segments = bench.plans.segments_by_plan.get(bench.plan, ())
+        segments = bench.plans.segments_on(bench.plan)
         own = {s.name: (s.start, s.end) for s in self.sides}
         self.ends = own | {vector_end_label(s.name): (s.start, s.end) for s in segments} | own
         leaning = (f"{letter}_{index}" for *_, index in bench.leaning_reactions for letter in "NT")

@@ -170,7 +170,7 @@ def _log_scale_ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
 def _mark_places_by_names(bench: PreparedPlan, ink: LineInk) -> MarkPlaces:
     """The marks with names beside ends of lines, each at the nearest; where vectors have heads, at a tip."""
     ends = numpy.r_[ink.lines.ravel(), ink.rounds]
-    places = dict[str, complex]()
+    places = MarkPlaces()
     for word in ink.read_words(ink.tips, ink.tips, True, bench.true_marks | {POLE_LABEL: 0j}).words:
         name = next(iter(word.likely))
         about = ink.tips if ink.headed and name != POLE_LABEL else ends

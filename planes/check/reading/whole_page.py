@@ -15,7 +15,7 @@ from planes.check.reading.parts import connected_parts
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.weighed import agreement_score
 from planes.check.reading.written import Words
-from planes.words.names import plan_kind
+from planes.words.names import PlanId
 from planes.words.units import UnitError, read_mu
 
 MOST_PARTS_READ = 6  # parts that are read
@@ -31,7 +31,7 @@ _SCALE_IN_TITLE = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 def read_page(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other contents, too."""
     sides = [side.name for side in polygon_sides(bench.plans, bench.plan)]
-    known = bench.naming.name_finder(sides) if bench.kind == "force" else bench.written_mark_names
+    known = bench.naming.name_finder(sides) if bench.plan.is_force else bench.written_mark_names
 
     def named(part: ReadDrawing) -> int:
         return len({known.find_exact_name(one.text) for w in part.words for one in w.split_names()} - {None})
@@ -74,7 +74,7 @@ def detail_enlargement(words: Sequence[Words], part: ReadDrawing) -> float:
 
 
 def scale_in_title(
-    words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]
+    words: Sequence[Words], part: ReadDrawing, plan: PlanId, plans: Sequence[str]
 ) -> tuple[float | None, bool]:
     """μ in the nearest title of this plan of ``plans`` over a part of a page, and whether none is nearer."""
     if not part.strokes:
@@ -114,14 +114,14 @@ def _scale_titles(words: Sequence[Words]) -> Iterator[Words]:
         yield word
 
 
-def shows_other_plans_only(words: Sequence[Words], plan: str, plans: Sequence[str]) -> bool:
+def shows_other_plans_only(words: Sequence[Words], plan: PlanId, plans: Sequence[PlanId]) -> bool:
     """Whether titles on a page are of other plans of its kind, and none of this one."""
-    alike = [p for p in plans if plan_kind(p) == plan_kind(plan)]
+    alike = [p for p in plans if p.kind == plan.kind]
     shown = {p for title in _scale_titles(words) for p in alike if _scale_from_title(title.text, p, plans)}
     return bool(shown) and plan not in shown
 
 
-def _scale_from_title(text: str, plan: str, plans: Sequence[str]) -> float | None:
+def _scale_from_title(text: str, plan: PlanId, plans: Sequence[str]) -> float | None:
     """μ of a plan from its title; None if the title names the links of another one."""
     said = _SCALE_IN_TITLE.search(text)
     links = re.findall(r"\d+", text[: said.start()] if said else "")
@@ -130,7 +130,7 @@ def _scale_from_title(text: str, plan: str, plans: Sequence[str]) -> float | Non
         return None
     try:
         if said:
-            return read_mu(said[1].replace(",", "."), plan_kind(plan))
+            return read_mu(said[1].replace(",", "."), plan.kind)
         return None
     except UnitError:
         return None

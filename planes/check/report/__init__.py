@@ -20,7 +20,6 @@ from planes.geometry.arithmetic import Real
 from planes.plans.measuring import plan_title, scene_lettering
 from planes.words import Lang, Phrase, available_languages, join_sentences, say, with_decimal_sign
 from planes.words.errors import PlanesError
-from planes.words.names import label_of, plan_kind
 from planes.words.records import Json
 from planes.words.units import mu_text, number_text
 
@@ -37,7 +36,7 @@ def mark_rows(out: Outcome) -> list[Json]:
     for mark, verdict in g.verdicts.items():
         own = g.hand.taken.get(mark)
         miss = g.judgement.miss_for_verdict(mark, verdict)
-        label = label_of(mark)
+        label = mark.label
         row: Json = {"mark": label, **dict.fromkeys(MARK_SIZE_KEYS), "verdict": verdict}
         absent = g.rebuilt is not None and label in g.rebuilt.absent
         if label in unseen or (absent and (verdict == "right" or not (own and miss))):
@@ -274,7 +273,7 @@ def check_command(outcome: Outcome) -> str:
     """The command that checks the table saved by a page."""
     asked = outcome.bench.asked
     words = asked.command_words(corrected_table_name(outcome))
-    words += ["--mu", mu_text(asked.mu, plan_kind(asked.plan))] if asked.mu else []
+    words += ["--mu", mu_text(asked.mu, outcome.bench.kind)] if asked.mu else []
     words += ["--work", "cad"] if asked.skill != STUDENT_SKILL else []
     for plan, paper in asked.others.items():
         words += ["--with", f"{plan}={paper.file}"]

@@ -15,7 +15,7 @@ from planes.check.report.places import jpeg_data_address, thumbnail_jpeg, wrong_
 from planes.plans.measuring import plan_name_in_words, scene_lettering
 from planes.words import Lang, capitalize_first_letter, join_sentences, say
 from planes.words.frozen import frozen
-from planes.words.names import plan_kind
+from planes.words.names import PlanId
 from planes.words.naming import Naming
 from planes.words.records import Json
 
@@ -88,7 +88,7 @@ class ClassRow:
     def plan_kind(self) -> str:
         """The kind of its plan, "" if unknown."""
         if "plan" in self.object:
-            return plan_kind(str(self.object["plan"]))
+            return PlanId.read(self.object["plan"]).kind
         return ""
 
     @property

@@ -21,7 +21,7 @@ from planes.drafting.steps import Same
 from planes.geometry.plane import bounding_corners
 from planes.plans.extents import plan_extent
 from planes.words import Lang, Phrase, say
-from planes.words.names import POLE_LABEL, label_of, plan_of
+from planes.words.names import POLE_LABEL, Mark
 from planes.words.records import Json
 
 MARK_VERDICTS = ("right", "wrong", "follows", "unread")
@@ -34,9 +34,9 @@ def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     taken = grading.hand.taken
     variants = mistake_variants(bench, taken, grading.mu)
     tape, (misses, *supposed) = grading_tape(grading, variants)
-    truth = {label_of(m): complex(grading.truth[m]) for m in grading.marks}
-    earlier = {m: point_coordinates(t.place) for m, t in taken.items() if plan_of(m) != bench.plan}
-    force = bench.kind == "force"
+    truth = {m.label: complex(grading.truth[m]) for m in grading.marks}
+    earlier = {m: point_coordinates(t.place) for m, t in taken.items() if m.plan != bench.plan}
+    force = bench.plan.is_force
     return {
         "kind": bench.kind,
         "marks": [_mark_data(grading, m, misses[m]) for m in grading.marks],
@@ -62,13 +62,13 @@ def moved_marks_data(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
     }
 
 
-def _mark_data(grading: Grading, mark: str, miss: TapePair) -> Json:
+def _mark_data(grading: Grading, mark: Mark, miss: TapePair) -> Json:
     """A mark: its position, if it was read, and the data for its verdict."""
     taken = grading.hand.taken.get(mark)
     true = grading.truth[mark]
     own = taken or ReadMark(mark, true, SCREEN_MARK_ERROR_MM)
     return {
-        "name": label_of(mark),
+        "name": mark.label,
         "key": mark,
         "x": own.place.real,
         "y": own.place.imag,
@@ -89,7 +89,7 @@ def _variant_data(v: Variant, under: Places, lang: Lang) -> Json:
         "weight": v.weight,
         "omits": v.omits,
         "said": v.sentence.told(lang),
-        "under": {label_of(m): places for m, places in under.items()},
+        "under": {m.label: places for m, places in under.items()},
     }
 
 
@@ -107,19 +107,19 @@ def _verdict_parameters(grading: Grading) -> Json:
         "warn": judging.WARNING_SIGMAS,
         "near": judging.CLOSE_CALL_SIGMAS,
         "as_well": judging.RIVAL_MISTAKE_LOG_ODDS,
-        "broad": evidence.log_density_anywhere(plan_extent(grading.truth, plan_of(grading.marks[0]))),
+        "broad": evidence.log_density_anywhere(plan_extent(grading.truth, grading.marks[0].plan)),
         "readable": LEAST_READ_SHARE,
-        "key": [label_of(m) for m in key_marks(grading)],
+        "key": [m.label for m in key_marks(grading)],
         "absent": sorted(grading.rebuilt.absent) if grading.rebuilt else [],
         "shown_by": [
-            (label_of(m), [[label_of(k) for k in way] for way in ways]) for m, ways in grading.determining_marks.items()
+            (m.label, [[k.label for k in way] for way in ways]) for m, ways in grading.determining_marks.items()
         ],
-        "same": [label_of(m) for m in same if m in grading.marks],
+        "same": [m.label for m in same if m in grading.marks],
         "smallest": evidence.SMALLEST_DRAWING_SIGMAS * grading.hand.tool.skill.point_mm,
         "sure": evidence.MOST_CHANCE_OF_RANDOM_MARKS,
         "free": not grading.said_mu,
         "gap": grading.closing_error_sigma_mm,
-        "order": [label_of(m) for m in judging.judging_order(grading.hand.program.steps, grading.marks)],
+        "order": [m.label for m in judging.judging_order(grading.hand.program.steps, grading.marks)],
     }
 
 

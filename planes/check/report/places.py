@@ -10,7 +10,7 @@ from planes.check.grading.paper import Box
 from planes.check.outcome import Outcome
 from planes.check.report.shown import Vector, point_coordinates, shown_plans, true_marks
 from planes.geometry.plane import bounding_corners
-from planes.words.names import POLE_LABEL, label_of
+from planes.words.names import POLE_LABEL
 from planes.words.records import Json
 
 MOST_PLACES = 3  # maximum number of wrong places shown of a drawing
@@ -32,7 +32,7 @@ def _place_windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
     truth = true_marks(outcome)
     if kind == "force":  # there its order is free, and a step leads to the right position
         truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z}
-    wrong = [label_of(m) for m, verdict in grading.verdicts.items() if verdict == "wrong"]
+    wrong = [m.label for m, verdict in grading.verdicts.items() if verdict == "wrong"]
     for name in dict.fromkeys([outcome.first_wrong or "", *wrong]):
         places = [z for z in (shown.marks.get(name), truth.get(name)) if z is not None]
         if name == POLE_LABEL or not places:

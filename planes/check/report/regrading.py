@@ -20,10 +20,11 @@ from planes.drafting.drawing import draw_steps
 from planes.drafting.steps import Same
 from planes.drafting.tools import Env
 from planes.geometry.arithmetic import Truth
+from planes.words.names import Mark
 from planes.words.records import Json
 
 TapePair = tuple[int, int]
-Places = dict[str, TapePair]  # positions on a tape of x and y of each mark's miss
+Places = dict[Mark, TapePair]  # positions on a tape of x and y of each mark's miss
 SCREEN_MARK_ERROR_MM = 0.2  # accuracy of placing a mark on the screen
 
 
@@ -39,7 +40,7 @@ class _TapeHand(Person, TracingTool):
         self.sources.append(Source(place, size))
         return Num(self.tape, place)
 
-    def is_read(self, mark: str) -> Truth:
+    def is_read(self, mark: Mark) -> Truth:
         """Whether a mark is a person's own: known now, or by a number of the tape."""
         if mark in self.late:
             return Num(self.tape, self.tape.record_leaf("given", f"{mark}?")) > 0.5
@@ -70,7 +71,7 @@ class _Desk:
             self.things[name] = self.things[name] * (1 + self.tool.source(share))
         self.made = draw_steps(self.program.steps, self.things, self.tool)
 
-    def _read_mark_position(self, mark: str) -> Vec:
+    def _read_mark_position(self, mark: Mark) -> Vec:
         """The position of a read mark, with its reading error."""
         error = self.taken[mark].error_mm if mark in self.taken else SCREEN_MARK_ERROR_MM
         if isinstance(self.program.steps_by_result[mark], Same):
@@ -80,7 +81,7 @@ class _Desk:
         )
         return Vec(x, y)
 
-    def miss_tape_positions(self, marks: Iterable[str], variant: Variant | None = None) -> Places:
+    def miss_tape_positions(self, marks: Iterable[Mark], variant: Variant | None = None) -> Places:
         """The positions on the tape of each mark's miss, from the original steps or those affected by a mistake."""
         made = variant.draw_affected_steps(self.program, self.things, self.tool, self.taken) if variant else self.made
         off = {m: self.own[m] - made[m] for m in marks if m in made}

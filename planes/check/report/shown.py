@@ -12,7 +12,7 @@ from planes.check.outcome import Outcome
 from planes.plans.measuring import plan_title, scene_lettering
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, NamePair, label_of, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, NamePair
 from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mu_text
@@ -28,9 +28,9 @@ def point_coordinates(z: complex, digits: int = 4) -> list[float]:
 def vector_end_labels(bench: PreparedPlan) -> list[NamePair]:
     """Vectors of the plan by the labels of their ends; of a scheme, its links."""
     plan = bench.plan
-    if plan_kind(plan) == "force":
+    if plan.is_force:
         return [(s.start, s.end) for s in polygon_sides(bench.plans, plan)]
-    drawn = {POLE_LABEL, *(label_of(m) for m in bench.marks)}
+    drawn = {POLE_LABEL, *(m.label for m in bench.marks)}
     if plan == "position":
         return _scheme_lines(bench, drawn)
     return [pair for pair in bench.vector_names if set(pair) <= drawn]
@@ -52,14 +52,14 @@ def own_marks(outcome: Outcome) -> MarkPlaces:
     if outcome.grading is None:
         return {}
     taken = outcome.grading.hand.taken
-    return {label_of(m): t.place for m, t in taken.items() if plan_of(m) == outcome.bench.plan}
+    return {m.label: t.place for m, t in taken.items() if m.plan == outcome.bench.plan}
 
 
 def true_marks(outcome: Outcome) -> MarkPlaces:
     """The right plan's marks at the drawing's scale, mm from the pole."""
     if outcome.grading is None:
         return outcome.bench.true_marks
-    return {label_of(m): complex(outcome.grading.truth[m]) for m in outcome.grading.marks}
+    return {m.label: complex(outcome.grading.truth[m]) for m in outcome.grading.marks}
 
 
 @frozen
@@ -79,7 +79,7 @@ def shown_plans(outcome: Outcome) -> Shown:
     own = own_marks(outcome)
     at_own = {POLE_LABEL: 0j, **own}
     at_true = {POLE_LABEL: 0j, **true_marks(outcome)}
-    if bench.kind != "force":
+    if not bench.plan.is_force:
         pairs = vector_end_labels(bench)
         drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
         return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _correction_vectors(outcome, own))
@@ -100,7 +100,7 @@ def _correction_vectors(outcome: Outcome, shown: MarkPlaces) -> list[Vector]:
     verdicts = outcome.grading.verdicts
     judged = outcome.grading.judgement
     off = {m: miss for m, miss in judged.misses.items() if miss.sigmas > WARNING_SIGMAS}
-    rows = [(label_of(m), miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= judged.limit]
+    rows = [(m.label, miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= judged.limit]
     return [(shown[n], shown[n] - by) for n, by in rows if n in shown]
 
 
@@ -108,7 +108,7 @@ def own_side_order(outcome: Outcome) -> list[Side]:
     """A force polygon's sides in the person's order, missing ones last; none where the pen was lifted."""
     bench = outcome.bench
     grading = outcome.grading
-    if bench.kind != "force" or grading is None or grading.rebuilt is None:
+    if not bench.plan.is_force or grading is None or grading.rebuilt is None:
         return []
     sides = {s.name: s for s in polygon_sides(bench.plans, bench.plan)}
     first, *read = map(bench.naming.name_finder(sides).find_name, (spot.name for spot in outcome.paper.spots))
@@ -160,7 +160,7 @@ def _plan_data(bench: PreparedPlan, lang: Lang) -> Json:
     marks = bench.true_marks
     mu = mu_text(bench.said_mu, bench.kind, lang, bench.asked.scene.mu_convention)
     line = shlex.join(bench.asked.command_words("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
-    names = [(s.name, s.start, s.end) for s in polygon_sides(bench.plans, plan)] if bench.kind == "force" else []
+    names = [(s.name, s.start, s.end) for s in polygon_sides(bench.plans, plan)] if bench.plan.is_force else []
     return {
         "key": plan,
         "kind": bench.kind,

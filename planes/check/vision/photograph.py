@@ -29,7 +29,7 @@ from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE_LABEL
+from planes.words.names import POLE_LABEL, PlanId
 
 NO_HINTS = Known()
 
@@ -68,7 +68,9 @@ def read_picture(file: str, bench: PreparedPlan, known: Known = NO_HINTS) -> Rea
     paper.mu = mu or bench.asked.mu
     paper.picture, paper.box = picture_for_page(best.flat), best.picture_box(bench)
     if code and code.plan != bench.plan and code.plan in known_plans(bench.plans):
-        paper.notes.append(Phrase("check_code_says", other=plan_phrase(code.plan), plan=plan_phrase(bench.plan)))
+        paper.notes.append(
+            Phrase("check_code_says", other=plan_phrase(PlanId.read(code.plan)), plan=plan_phrase(bench.plan))
+        )
     if best.bare:
         paper.reason = Phrase("check_no_lines")
     elif not best.has_plan:

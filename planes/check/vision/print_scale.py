@@ -15,7 +15,6 @@ from planes.check.vision.from_aside import with_scale_and_tilt_errors
 from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
-from planes.words.names import full_mark_name
 
 LEAST_PRINT_SCALE, MOST_PRINT_SCALE = 0.9, 1.05  # limits of a print scale
 SCANNER_ACCURACY = 0.003  # accuracy of a scanner
@@ -65,8 +64,8 @@ def with_scale_vector_errors(flat: Flat, about: complex, spots: list[ReadMark], 
     if flat.told is None:
         return spots
     length = flat.told[1]
-    mark = full_mark_name(bench.plan, flat.told[0])
-    right = {full_mark_name(bench.plan, n): ReadMark(n, z) for n, z in bench.true_marks.items()}
+    mark = bench.plan.mark(flat.told[0])
+    right = {bench.plan.mark(n): ReadMark(n, z) for n, z in bench.true_marks.items()}
     misses = Hand(bench.program, bench.given, bench.asked.skill, right).misses([mark])
     own = misses[mark].mean_sigma_mm if mark in misses else 0.0
     drawn = math.hypot(own, POINTED_MARK_ERROR_MM) / max(length, LONG_VECTOR_MM)

@@ -11,15 +11,15 @@ from pathlib import Path
 
 from planes.documents.sheets import DrawnPosition
 from planes.drafting.program import Program
+from planes.drafting.steps import MarkStep
 from planes.plans import Plans
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene import Scene
 from planes.scene.files import save_file_or_refuse
 from planes.solving import Position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, NamePair, NameTuple, label_of, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Mark, MarkPair, NameTuple, PlanId, PlanTuple, scheme_mark
 from planes.words.naming import Naming
 from render.sheet.composer import Composer, drawn_plans
 from render.sheet.single import plan_view_name
@@ -33,8 +33,8 @@ FIGURE_GAP_MM = 30.0  # mm between figures
 class Stretch:
     """A vector of a plan, or a side of a link: its end marks and its name."""
 
-    start: str
-    end: str
+    start: Mark
+    end: Mark
     text: str = ""
 
 
@@ -43,7 +43,7 @@ class LiveFigure:
     """The figure: the scheme, if any, and some plans of a position, side by side."""
 
     position: Position
-    plans: NameTuple
+    plans: PlanTuple
     naming: Naming
     titles: NameTuple
     title: str
@@ -55,56 +55,56 @@ class LiveFigure:
         return self.position.plans
 
     @cached_property
-    def shown_marks(self) -> list[str]:
+    def shown_marks(self) -> list[Mark]:
         """The marks shown, by their full names."""
-        made = [s for s in self.stated_plans.program.steps if s.kind == "mark" and s.makes in self.position.drawing]
+        made = [
+            s for s in self.stated_plans.program.steps if isinstance(s, MarkStep) and s.makes in self.position.drawing
+        ]
         shown = {end for s in self.stated_plans.segments for end in s.ends}
         own = (s.makes for s in made if s.makes in shown or not (s.is_outside_plan or s.is_auxiliary_mark))
-        return [
-            name for name in own if plan_of(name) in self.plans and name not in self.stated_plans.program.trial_marks
-        ]
+        return [name for name in own if name.plan in self.plans and name not in self.stated_plans.program.trial_marks]
 
     @cached_property
     def shown_program(self) -> Program:
         """The steps that these marks need."""
         return Program(self.stated_plans.program.cut_to_names(self.shown_marks).steps)
 
-    def place_on_plan(self, mark: str) -> complex:
+    def place_on_plan(self, mark: Mark) -> complex:
         """The place of a mark on its plan, mm from the pole."""
         return complex(self.position.drawing[mark])
 
     @cached_property
-    def pole_places(self) -> dict[str, complex]:
+    def pole_places(self) -> dict[PlanId, complex]:
         """The places of each plan's pole, and of the scheme's origin, on the whole picture."""
         poles = {}
         right = 0.0
         for k, plan in enumerate(self.plans):
-            xs = [self.place_on_plan(m).real for m in self.shown_marks if plan_of(m) == plan]
+            xs = [self.place_on_plan(m).real for m in self.shown_marks if m.plan == plan]
             poles[plan] = complex(right + FIGURE_GAP_MM - min(0.0, *xs) if k else 0.0)
             right = poles[plan].real + max(0.0, *xs)
-        return {**poles, **{p: 0j for p in map(plan_of, self.shown_program.result_names) if p not in poles}}
+        return {**poles, **{s.plan: 0j for s in self.shown_program.steps if s.plan not in poles}}
 
-    def place_on_picture(self, mark: str) -> complex:
+    def place_on_picture(self, mark: Mark) -> complex:
         """The place of a mark on the whole picture."""
-        return self.pole_places[plan_of(mark)] + self.place_on_plan(mark)
+        return self.pole_places[mark.plan] + self.place_on_plan(mark)
 
-    def mark_lettering(self, mark: str) -> str:
+    def mark_lettering(self, mark: Mark) -> str:
         """The lettering of a mark on a sheet, "" for a mark whose vectors are named instead."""
-        plan = plan_of(mark)
-        label = label_of(mark)
+        plan = mark.plan
+        label = mark.label
         if plan == SCHEME_PLAN:
             if label == POLE_LABEL:
                 return ""
             return self.naming.lettered_point(label)
-        if plan_kind(plan) != "force":
+        if not plan.is_force:
             return self.naming.mark(label, plan)
         return ""
 
     @cached_property
     def plan_vectors(self) -> list[Stretch]:
         """The vectors of the plans, each once."""
-        names: dict[NamePair, str] = {}
-        for s in (s for plan in self.plans for s in self.stated_plans.segments_by_plan.get(plan, ())):
+        names: dict[MarkPair, str] = {}
+        for s in (s for plan in self.plans for s in self.stated_plans.segments_on(plan)):
             if s.start != s.end and {*s.ends} <= {*self.shown_marks}:
                 names.setdefault(s.ends, self.naming.lettered_vector(s.name))
         return [Stretch(*ends, text) for ends, text in names.items()]

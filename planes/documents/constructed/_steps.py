@@ -11,7 +11,7 @@ from planes.drafting import steps as s
 from planes.drafting.steps import crossings as c
 from planes.drafting.steps import reckoning as r
 from planes.words.frozen import field, frozen
-from planes.words.names import POLE_LABEL, full_mark_name, plan_of
+from planes.words.names import PlanId
 from render.files.ggb import HIDDEN_ASPECT, PALE_COLOUR, Aspect, GeogebraFile, Kind
 
 Labels = dict[str, str]
@@ -33,7 +33,7 @@ class Translator:
     figure: LiveFigure
     made: GeogebraFile
     labels: Labels
-    looks: Callable[[str], Aspect]
+    looks: Callable[[s.Step], Aspect]
     left: list[s.Step] = field(default_factory=list)
 
     def write_step(self, step: s.Step) -> None:
@@ -51,18 +51,18 @@ class Translator:
         named = dict(self.placeholder_values(step))
         for kind, head, first, *inputs in written:
             label = head + self.labels[step.makes]
-            look = self.mark_appearance(step.makes, kind, head)
+            look = self.mark_appearance(step, kind, head)
             if inputs:
                 self.made.add_command(kind, [label], first, [text.format_map(named) for text in inputs], look)
             else:
                 self.made.add_formula(kind, label, first.format_map(named), look)
 
-    def mark_appearance(self, mark: str, kind: Kind, head: str) -> Aspect:
+    def mark_appearance(self, step: s.Step, kind: Kind, head: str) -> Aspect:
         """The appearance of an object on the way to a mark, or of the mark."""
-        if kind == "conic" or (kind == "line" and mark in self.figure.shown_marks):
+        if kind == "conic" or (kind == "line" and step.makes in self.figure.shown_marks):
             return CONSTRUCTION_LINE_ASPECT
         if kind == "point" and not head:
-            return self.looks(mark)
+            return self.looks(step)
         return HIDDEN_ASPECT
 
     def write_as_constant(self, step: s.Step) -> None:
@@ -71,21 +71,21 @@ class Translator:
         thing = complex(self.figure.position.drawing[step.makes])
         if step.kind == "mark":
             self.made.add_formula(
-                "point", label, f"{self.pole_label(step.makes)} + {_coordinates_text(thing)}", self.looks(step.makes)
+                "point", label, f"{self.pole_label(step.plan)} + {_coordinates_text(thing)}", self.looks(step)
             )
         elif step.kind == "direction":
             self.made.add_formula("vector", label, _coordinates_text(thing))
         else:
             self.made.add_formula("numeric", label, number_literal(thing.real))
 
-    def pole_label(self, mark: str) -> str:
-        """The pole of a mark's plan, "(0, 0)" where it has none."""
-        return self.labels.get(full_mark_name(plan_of(mark), POLE_LABEL), "(0, 0)")
+    def pole_label(self, plan: PlanId) -> str:
+        """The pole of a plan, "(0, 0)" where it has none."""
+        return self.labels.get(plan.pole, "(0, 0)")
 
     def placeholder_values(self, step: s.Step) -> Iterator[tuple[str, object]]:
         """What the names in braces stand for."""
         n = self.labels
-        yield "pole", self.pole_label(step.makes)
+        yield "pole", self.pole_label(step.plan)
         for name in (f.name for f in fields(step)):
             match getattr(step, name):
                 case str(given):
@@ -101,7 +101,7 @@ class Translator:
         n = self.labels
         match step:
             case s.Put() if not step.at:
-                return {"at": _coordinates_text(self.figure.pole_places[plan_of(step.makes)])}
+                return {"at": _coordinates_text(self.figure.pole_places[step.plan])}
             case s.Carry() | s.Turn():
                 turns = [f"{step.quarter % 4} * {RIGHT_ANGLE_FORMULA}"] * bool(step.quarter % 4)
                 if isinstance(step, s.Turn) and step.angle:
@@ -115,7 +115,7 @@ class Translator:
             case r.Measure():
                 return {"span": self.span_formula(step)}
             case r.Sense():
-                beside = [f"Distance[{self.pole_label(m)}, {n[m]}]" for m in step.beside]
+                beside = [f"Distance[{self.pole_label(m.plan)}, {n[m]}]" for m in step.beside]
                 return {"span": self.span_formula(step), "largest": " + ".join(beside) or "0"}
             case r.Calculate():
                 return {"sum": " + ".join(map(self.product_formula, step.terms)) or "0"}

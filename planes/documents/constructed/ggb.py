@@ -5,13 +5,13 @@ from collections.abc import Iterator
 from planes.documents.constructed import LiveFigure
 from planes.documents.constructed._numbers import GivenNumbers
 from planes.documents.constructed._steps import Labels, Translator
+from planes.drafting.steps import MarkStep, Step
 from planes.geometry.plane import bounding_corners
-from planes.plans.position.bodies import SCHEME_PLAN
 from planes.words import say
 from planes.words.names import (
     POLE_LABEL,
+    SCHEME_PLAN,
     direction_of_given_angle,
-    force_plan_links,
     given_name_of_number,
     label_of,
     letter_of,
@@ -40,12 +40,12 @@ def file_and_limitations(figure: LiveFigure) -> tuple[bytes, list[str]]:
     top = max((figure.place_on_picture(m).imag for m in figure.shown_marks), default=0.0) + ROOM_ABOVE_FIGURES_MM
     made = GeogebraFile(figure.title, complex(corner, top))
     _write_given_numbers(figure, numbers, made, labels)
-    translator = Translator(figure, made, labels, lambda mark: _point_appearance(figure, mark))
+    translator = Translator(figure, made, labels, lambda step: _point_appearance(figure, step))
     for step in figure.shown_program.steps:
         translator.write_step(step)
     _write_sides_and_vectors(figure, made, labels)
     for k, (plan, title) in enumerate(zip(figure.plans, figure.titles, strict=True)):
-        own = [figure.place_on_picture(m) for m in figure.shown_marks if plan_of(m) == plan]
+        own = [figure.place_on_picture(m) for m in figure.shown_marks if m.plan == plan]
         low, high = bounding_corners(own)
         made.add_caption(f"T{k}", title, complex(low.real, high.imag + 20))
     return made.zip_bytes(), [*_stationary_objects_remark(figure, translator)]
@@ -87,7 +87,7 @@ def _geogebra_label(figure: LiveFigure, name: str) -> str:
     tail += part
     if plan:
         head = LABEL_LETTERS_BY_PLAN.get(plan, "F")
-        tail = label_of(name) + "".join(force_plan_links(plan))
+        tail = label_of(name) + "".join(plan.links)
     elif not head.isalpha() or not tail or head in AXIS_NAMES:
         head = "u"
         tail = own
@@ -129,11 +129,11 @@ def _slider_range(name: str, value: float, drives: bool) -> tuple[float, float] 
     return None
 
 
-def _point_appearance(figure: LiveFigure, mark: str) -> Aspect:
+def _point_appearance(figure: LiveFigure, step: Step) -> Aspect:
     """The appearance of a point."""
-    if mark not in figure.shown_marks or (label_of(mark) == POLE_LABEL and plan_of(mark) == SCHEME_PLAN):
+    if not isinstance(step, MarkStep) or step.makes not in figure.shown_marks or step.makes == SCHEME_PLAN.pole:
         return HIDDEN_ASPECT
-    return Aspect(INK_COLOUR, figure.mark_lettering(mark), 4 if plan_of(mark) == SCHEME_PLAN else 2)
+    return Aspect(INK_COLOUR, figure.mark_lettering(step.makes), 4 if step.plan == SCHEME_PLAN else 2)
 
 
 def _write_sides_and_vectors(figure: LiveFigure, made: GeogebraFile, labels: Labels) -> None:
@@ -143,6 +143,6 @@ def _write_sides_and_vectors(figure: LiveFigure, made: GeogebraFile, labels: Lab
             "segment", [f"s_{{{k}}}"], "Segment", [labels[bar.start], labels[bar.end]], Aspect(INK_COLOUR, thick=6)
         )
     for k, shaft in enumerate(figure.plan_vectors):
-        from_pole = label_of(shaft.start) == POLE_LABEL
+        from_pole = shaft.start.label == POLE_LABEL
         look = Aspect(RED_COLOUR if from_pole else BLUE_COLOUR, shaft.text, 5 if from_pole else 4)
         made.add_command("vector", [f"w_{{{k}}}"], "Vector", [labels[shaft.start], labels[shaft.end]], look)

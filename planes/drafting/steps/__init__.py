@@ -11,7 +11,7 @@ from typing import ClassVar, Literal, get_args
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.words.frozen import field, frozen
-from planes.words.names import HELPER_MARK_KINDS, Meaning, NamePair
+from planes.words.names import HELPER_MARK_KINDS, Mark, MarkPair, Meaning, PlanId, label_of, plan_of
 
 Kind = Literal["mark", "direction", "value", "place"]
 INPUT_KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -28,6 +28,16 @@ class Step:
     kind: ClassVar[Kind] = "mark"
     guards: ClassVar[bool] = False  # a position that fails it gives no results at all, and it is never sliced away
     needs: ClassVar[Reads] = ()  # the fields that name its inputs, one or several, with their kind
+
+    @property
+    def plan(self) -> PlanId:
+        """The plan of the mark it draws; none of a direction or a value."""
+        return plan_of(self.makes)
+
+    @property
+    def label(self) -> str:
+        """The name of its result without the plan."""
+        return label_of(self.makes)
 
     @property
     def quantity_represented(self) -> str:
@@ -55,6 +65,13 @@ class Step:
         raise NotImplementedError
 
 
+@frozen
+class MarkStep(Step):
+    """A step that makes a mark."""
+
+    makes: Mark
+
+
 def _inputs_of_kind(kind: Kind, *names: str | None) -> Reads:
     return tuple((n, kind) for n in names if n)
 
@@ -63,7 +80,7 @@ marks, directions, values, places = (partial(_inputs_of_kind, kind) for kind in 
 
 
 @frozen
-class Put(Step):
+class Put(MarkStep):
     """Put a mark at a given place of the plan (m, by the scale), or at its pole when ``at`` is None."""
 
     at: str | None = None
@@ -92,8 +109,8 @@ class Aim(Step):
 class Through(Step):
     """The direction from one mark to another; where they coincide (a zero vector), any direction."""
 
-    start: str
-    end: str
+    start: Mark
+    end: Mark
     kind = "direction"
     needs = marks("start", "end")
 
@@ -119,10 +136,10 @@ class Turn(Step):
 
 
 @frozen
-class LayOff(Step):
+class LayOff(MarkStep):
     """Lay off a signed length (SI, by the scale) from a mark along a direction."""
 
-    start: str
+    start: Mark
     along: str
     length: str
     mu: str
@@ -133,12 +150,12 @@ class LayOff(Step):
 
 
 @frozen
-class Carry(Step):
+class Carry(MarkStep):
     """Carry the segment ``first``–``second`` to ``start``, turned by ``quarter`` right angles."""
 
-    start: str
-    first: str
-    second: str
+    start: Mark
+    first: Mark
+    second: Mark
     quarter: int = 0
     needs = marks("start", "first", "second")
 
@@ -148,10 +165,10 @@ class Carry(Step):
 
 
 @frozen
-class Same(Step):
+class Same(MarkStep):
     """Another name for a mark: all points of a link in translation have one image on the plan."""
 
-    of: str
+    of: Mark
     needs = marks("of")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -159,12 +176,12 @@ class Same(Step):
 
 
 @frozen
-class Similar(Step):
+class Similar(MarkStep):
     """A mark placed relative to ``start``–``end`` as a point of a link relative to two others: ``ratio`` is the complex
     ratio of the link's sides (a real ratio divides the segment in proportion)."""
 
-    start: str
-    end: str
+    start: Mark
+    end: Mark
     ratio: str
     needs = (*marks("start", "end"), ("ratio", "place"))
 
@@ -173,14 +190,14 @@ class Similar(Step):
 
 
 @frozen
-class Image(Step):
+class Image(MarkStep):
     """Similarity taken from the scheme: a mark relative to ``start`` and the segment ``of``, as ``image`` is to
     ``like``."""
 
-    start: str
-    of: NamePair
-    like: NamePair
-    image: NamePair
+    start: Mark
+    of: MarkPair
+    like: MarkPair
+    image: MarkPair
     needs = marks("start", "of", "like", "image")
 
     def draw(self, env: Env, tool: Tool) -> Thing:

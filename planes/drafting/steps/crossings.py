@@ -1,20 +1,20 @@
 """Intersections of two lines, a line and an arc, or two arcs, and the tangent to a circle: the steps that can fail."""
 
-from planes.drafting.steps import Reads, Step, directions, marks, values
+from planes.drafting.steps import MarkStep, Reads, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
-from planes.words.names import NameTriple
+from planes.words.names import Mark
 
 
 @frozen
-class Cross(Step):
+class Cross(MarkStep):
     """Cross two lines. A ``supposed`` crossing is a trial: parallel lines give no mark instead of a failure."""
 
-    start: str
+    start: Mark
     along: str
-    other: str
+    other: Mark
     across: str
     supposed: bool = False
     far = "parallel"  # the reasons for its absence
@@ -50,19 +50,19 @@ class TwoPlaces(Step):
 
 
 @frozen
-class CrossArc(TwoPlaces):
+class CrossArc(TwoPlaces, MarkStep):
     """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line.
 
     ``arm`` names the mark, direction and length by which the centre was laid off, for exact instruments.
     """
 
-    start: str
+    start: Mark
     along: str
-    centre: str
+    centre: Mark
     radius: str
     mu: str
     side: str
-    arm: NameTriple | None = None
+    arm: tuple[Mark, str, str] | None = None
 
     def input_names(self) -> Reads:
         hub, ray, length = self.arm or (None, None, None)
@@ -93,12 +93,12 @@ class CrossArc(TwoPlaces):
 
 
 @frozen
-class CrossArcs(TwoPlaces):
+class CrossArcs(TwoPlaces, MarkStep):
     """Cross two arcs (засечки); ``side`` +1 is to the left of the way from ``centre`` to ``other``."""
 
-    centre: str
+    centre: Mark
     radius: str
-    other: str
+    other: Mark
     other_radius: str
     mu: str
     side: str
@@ -133,8 +133,8 @@ class Touch(TwoPlaces):
     """The direction of the line through ``start`` that passes ``end`` at a given offset (SI) to its left: the tangent
     to a circle, or simply the line through both when ``offset`` is None."""
 
-    start: str
-    end: str
+    start: Mark
+    end: Mark
     offset: str | None
     mu: str
     side: str

@@ -2,12 +2,12 @@
 
 from functools import reduce
 
-from planes.drafting.steps import Reads, Step, directions, marks, values
+from planes.drafting.steps import MarkStep, Reads, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Things, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.frozen import frozen
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import Mark, MarkTuple, NamePair, NameTuple
 
 SLACK_ROPE_FORCE_RATIO = 1e-12  # of the largest force: below this a rope is slack
 
@@ -16,8 +16,8 @@ SLACK_ROPE_FORCE_RATIO = 1e-12  # of the largest force: below this a rope is sla
 class Measure(Step):
     """The length of a segment in SI: signed along a direction if one is named, otherwise its magnitude."""
 
-    start: str
-    end: str
+    start: Mark
+    end: Mark
     along: str | None
     mu: str
     kind = "value"
@@ -35,7 +35,7 @@ class Pull(Measure):
     beside the forces up to the marks ``beside``, fails the position."""
 
     name: str = ""
-    beside: NameTuple = ()
+    beside: MarkTuple = ()
     guards = True
     needs = Measure.needs + marks("beside")
 
@@ -53,9 +53,9 @@ class Drop(Step):
     """The arm, in SI, of a line of action through ``point`` about ``about``: positive when a force along the line turns
     counter-clockwise."""
 
-    point: str
+    point: Mark
     along: str
-    about: str
+    about: Mark
     mu: str
     kind = "value"
     needs = marks("point", "about") + directions("along") + values("mu")
@@ -129,10 +129,10 @@ class Sense(Step):
     A segment is zero when it vanishes beside the largest of the marks ``beside``, measured from ``start``.
     """
 
-    start: str
-    end: str
+    start: Mark
+    end: Mark
     along: str | None
-    beside: NameTuple
+    beside: MarkTuple
     told: bool = True
     kind = "value"
     needs = marks("start", "end", "beside") + directions("along")
@@ -227,17 +227,17 @@ class Lean(Step):
 class Trial:
     """A place drawn on the assumption that the reactions ``pushes`` have the signs ``signs``."""
 
-    mark: str
+    mark: Mark
     pushes: NameTuple
     signs: tuple[int, ...]
 
 
 @frozen
-class Choose(Step):
+class Choose(MarkStep):
     """Keep the one trial whose assumption holds; none, or two different ones, means self-locking."""
 
     trials: tuple[Trial, ...]
-    size: str
+    size: Mark
     mu: str
 
     def input_names(self) -> Reads:

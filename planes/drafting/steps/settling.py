@@ -29,14 +29,14 @@ class Settle(Step):
     the results of earlier plans, until they agree. It fails where they do not converge. The plans are drawn without the
     errors of hand and ruler that their inputs have."""
 
-    plan: tuple[Step, ...]
+    steps: tuple[Step, ...]
     fed: tuple[Fed, ...]
     kind = "value"
 
     @cached_property
     def _names_read_by_plan(self) -> Reads:
-        own = {step.makes for step in self.plan + self.fed}
-        names = (read for step in self.plan + self.fed for read in step.input_names() if read[0] not in own)
+        own = {step.makes for step in self.steps + self.fed}
+        names = (read for step in self.steps + self.fed for read in step.input_names() if read[0] not in own)
         return tuple(dict.fromkeys(names))
 
     def input_names(self) -> Reads:
@@ -47,7 +47,7 @@ class Settle(Step):
         """The steps that every plan repeats."""
         changed = {f.makes for f in self.fed}
         redrawn = []
-        for step in self.plan:
+        for step in self.steps:
             if any(name in changed for name, _ in step.input_names()):
                 changed.add(step.makes)
                 redrawn.append(step)
@@ -56,7 +56,7 @@ class Settle(Step):
     def draw(self, env: Env, tool: Tool) -> Thing:
         tool = tool.tool_without_errors()
         things = {**env, **dict.fromkeys((f.makes for f in self.fed), 0.0)}
-        sizes = self._draw_and_read_sizes(self.plan, things, tool)
+        sizes = self._draw_and_read_sizes(self.steps, things, tool)
         if self._repeated_steps:
             sizes = self._settled_sizes(sizes, things, tool)
         self._put_sizes_into_inputs(sizes, things)

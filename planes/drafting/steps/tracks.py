@@ -10,7 +10,7 @@ ends of the range.
 from collections.abc import Iterator
 from itertools import chain
 
-from planes.drafting.steps import Read, Reads, Step, directions, marks, places, values
+from planes.drafting.steps import MarkStep, Read, Reads, Step, directions, marks, places, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, link_origins, newton_step
@@ -98,9 +98,9 @@ def chebyshev_sum(terms: list[Thing], y: Real) -> Thing:
 
 
 @frozen
-class CutTrack(Step):
-    """Cut the track of a link's point: the mark of the point ``local`` where all ``holds`` are met: three, or two each
-    of two links with a common hinge, of which ``link`` has the point; ``hinge`` is its place on that link."""
+class TrackStep(Step):
+    """A step that cuts the track of a link's point ``local`` where all ``holds`` are met: three, or two each of two
+    links with a common hinge, of which ``link`` has the point; ``hinge`` is its place on that link."""
 
     local: str
     holds: tuple[Hold, ...]
@@ -114,11 +114,6 @@ class CutTrack(Step):
         own = places(self.local) + values(self.mu, self.side) + places(self.hinge)
         held = (read for hold in self.holds for read in hold.input_names())
         return tuple(dict.fromkeys((*held, *self.guess.input_names(), *own)))
-
-    def draw(self, env: Env, tool: Tool) -> Thing:
-        origin, axis = self.origin_and_axis_direction(env, tool)
-        local = env[self.local] - env[self.hinge] if self.hinge else env[self.local]
-        return tool.mark(origin + axis * (local * env[self.mu]))
 
     def origin_and_axis_direction(self, env: Env, tool: Tool) -> tuple[Point, Point]:
         """The place of the link's origin, and the direction of its axis."""
@@ -139,7 +134,17 @@ class CutTrack(Step):
 
 
 @frozen
-class CutTurn(CutTrack):
+class CutTrack(MarkStep, TrackStep):
+    """The mark of the point, where its track is cut."""
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        origin, axis = self.origin_and_axis_direction(env, tool)
+        local = env[self.local] - env[self.hinge] if self.hinge else env[self.local]
+        return tool.mark(origin + axis * (local * env[self.mu]))
+
+
+@frozen
+class CutTurn(TrackStep):
     """The direction of the link's x axis, where its track is cut."""
 
     kind = "direction"

@@ -25,6 +25,7 @@ from planes.scene.mechanism import FRAME
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, StructureError
 from planes.words.frozen import frozen
+from planes.words.names import NameTuple
 from planes.words.records import Json
 
 Sign = Literal["R", "P", "C", "S"]
@@ -102,7 +103,7 @@ def group_pairs(group: AnyGroup) -> tuple[Pair, ...]:
     return group.pairs
 
 
-def bodies_of_pairs(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
+def bodies_of_pairs(group: AnyGroup) -> tuple[NameTuple, ...]:
     """The bodies that these pairs hold: the links, those rigidly joined by a stopped drive as one."""
     if not isinstance(group, Group):
         mates = {lead.link: lead.lead_links for lead in group.leads}

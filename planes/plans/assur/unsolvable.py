@@ -9,6 +9,7 @@ pairs take. The work grows as the square of the number of links.
 from collections.abc import Iterable, Sequence
 
 from planes.words.frozen import frozen
+from planes.words.names import NameTuple
 
 Freedoms = tuple[str, ...]  # a link, or a joint by its number: the owner of freedoms
 Holds = list[tuple[Freedoms, ...]]
@@ -18,7 +19,7 @@ Holds = list[tuple[Freedoms, ...]]
 class Joint:
     """The unsolved links at a hinge or a guide, and whether a solved one is there too."""
 
-    links: tuple[str, ...]
+    links: NameTuple
     solved: bool
 
     def pairs_among_links(self, chosen: Iterable[str]) -> int:
@@ -32,7 +33,7 @@ def degree_of_freedom_of_links(chosen: Sequence[str], joints: Iterable[Joint]) -
     return 3 * len(chosen) - 2 * sum(joint.pairs_among_links(chosen) for joint in joints)
 
 
-def find_unsolvable_links(links: Sequence[str], joints: Sequence[Joint]) -> tuple[str, ...]:
+def find_unsolvable_links(links: Sequence[str], joints: Sequence[Joint]) -> NameTuple:
     """Over-constrained links if there are any; otherwise the smallest group of more than two that must be solved
     together; otherwise empty."""
     room: dict[Freedoms, int] = {(link,): 3 for link in links}
@@ -80,7 +81,7 @@ def _match_constraints_to_freedoms(
 
 def _links_solved_together(
     link: str, links: Sequence[str], holds: Holds, takers: dict[Freedoms, list[int]]
-) -> tuple[str, ...]:
+) -> NameTuple:
     """The links without which one cannot be solved, including itself."""
     queue: list[Freedoms] = [(link,)]
     for whose in queue:
@@ -88,7 +89,7 @@ def _links_solved_together(
     return tuple(x for x in links if (x,) in queue)
 
 
-def _smallest_overconstrained_subset(held: list[str], joints: Sequence[Joint]) -> tuple[str, ...]:
+def _smallest_overconstrained_subset(held: list[str], joints: Sequence[Joint]) -> NameTuple:
     """The smallest over-constrained subset: no link can be left out of it."""
     for link in reversed(held[:]):
         fewer = [x for x in held if x != link]

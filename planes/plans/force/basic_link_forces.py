@@ -16,18 +16,17 @@ from planes.drafting.steps.reckoning import Cosine
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.groups import Pair
-from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces, PairEnds
+from planes.plans.force.lead_forces import HeldLead, LeadForces, PairEnds
 from planes.plans.force.loads import Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
-from planes.words.names import POLE_LABEL, NameTuple, force_plan_name, label_of, vector_end_label
+from planes.words.names import NO_MARK, POLE_LABEL, Mark, NamePair, NameTuple, PlanId, scheme_mark, vector_end_label
 
 
 class BasicLinkForces(LeadForces):
     """Force plans of one basic link, or of several, with their leads."""
 
     def unknown_by_moments(
-        self, basic: str, held: Sequence[HeldLead], special: str, name: str, arm: str, links: NameTuple
+        self, basic: str, held: Sequence[HeldLead], special: Mark, name: str, arm: str, links: NameTuple
     ) -> str:
         """The only unknown in the moments of a basic link with its leads about its special point, by its ``arm``."""
         forces = list(self.statics.acting.forces[basic])
@@ -41,7 +40,7 @@ class BasicLinkForces(LeadForces):
         terms = self.statics.moments_about_mark(special, forces, couples, -1.0, arm)
         return self.draft.solve_moment_equation(name, special, links, terms, arm)
 
-    def third_lead_reaction(self, basic: str, held: Sequence[HeldLead], special: str, links: NameTuple) -> Force:
+    def third_lead_reaction(self, basic: str, held: Sequence[HeldLead], special: Mark, links: NameTuple) -> Force:
         """The reaction of the last of three leads along its line; the others meet in the special point."""
         *_, three = held
         arm = self.draft.draw_arm(three.other_component_name, three.point, three.line, special, three.lead.link)
@@ -72,7 +71,7 @@ class BasicLinkForces(LeadForces):
             )
         return ends_of_pairs
 
-    def reactions_on_lead(self, lead: Lead, outer: Ends, inner: Ends) -> PairEnds:
+    def reactions_on_lead(self, lead: Lead, outer: NamePair, inner: NamePair) -> PairEnds:
         """The reactions on a lead; where the lead is another basic link both are the same, that of the hinge."""
         return {
             lead.inner: self.reaction_on_first_link(lead.lead_links, lead.inner, inner),
@@ -87,7 +86,7 @@ class TriadForces(BasicLinkForces):
 
     def __init__(self, statics: Statics, group: Triad) -> None:
         super().__init__(statics, group)
-        self.special = "" if group.is_on_slides else scheme_mark(self.bodies.special_point_name(group.basic))
+        self.special = NO_MARK if group.is_on_slides else scheme_mark(self.bodies.special_point_name(group.basic))
 
     def draw(self) -> None:
         self.draft.draw_pole(self.plan)
@@ -135,7 +134,7 @@ class ChainForces(BasicLinkForces):
         super().__init__(statics, group)
         self.last = self.leads[-1]
         self.special = [scheme_mark(self.bodies.special_point_name(basic)) for basic in group.basics]
-        self.plans = [force_plan_name(*links) for links in group.links_by_force_plan]
+        self.plans = [PlanId("force", *links) for links in group.links_by_force_plan]
         self.drawn: dict[int, list[HeldLead]] = {}  # basic links that act as leads, from the root on
 
     def draw(self) -> None:
@@ -179,8 +178,8 @@ class ChainForces(BasicLinkForces):
         pin = scheme_mark(hinge.point)
         key = name_of_force(g.basics[k], g.basics[end])
         name = f"{key}^t"
-        line = d.direction_between_marks(SCHEME_PLAN, hinge.point, label_of(special))
-        length = d.measure_segment(f"l_{hinge.point}{label_of(special)}", pin, special)
+        line = d.direction_between_marks(hinge.point, special.label)
+        length = d.measure_segment(f"l_{hinge.point}{special.label}", pin, special)
         self.unknown_by_moments(
             g.basics[end], self.leads_of_basic_link(end, hinge), special, name, length, g.basic_link_with_leads(end)
         )

@@ -8,8 +8,7 @@ from planes.plans.assur.groups import Group, Pair
 from planes.plans.force.loads import Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import RubbingPlan
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
-from planes.words.names import POLE_LABEL, NamePair, force_plan_name, full_mark_name, vector_end_label
+from planes.words.names import SCHEME_PLAN, MarkPair, PlanId, scheme_mark, vector_end_label
 
 
 class BraceForces(RubbingPlan):
@@ -21,7 +20,7 @@ class BraceForces(RubbingPlan):
         self.hinge = hinge = group.drive
         self.brace = brace = group.brace
         links = self.bodies.mechanism.links
-        self.plans = force_plan_name(*(x for x in links if x in brace.cylinder_links)), force_plan_name(hinge.link)
+        self.plans = PlanId("force", *(x for x in links if x in brace.cylinder_links)), PlanId("force", hinge.link)
         self.couples = {x: list(statics.acting.couples[x]) for x in (*brace.cylinder_links, hinge.link)}
 
     def draw(self) -> None:
@@ -40,7 +39,7 @@ class BraceForces(RubbingPlan):
             if pair.has_link(driver):
                 s.pass_reaction_on(reaction, driver)
 
-    def polygon(self) -> dict[Pair, NamePair]:
+    def polygon(self) -> dict[Pair, MarkPair]:
         """Draw both polygons: the cylinder's, closed by the reaction of its near hinge, and that of the far link,
         closed by the reaction of the braced hinge."""
         s = self.statics
@@ -49,14 +48,14 @@ class BraceForces(RubbingPlan):
         along, across = self.far_hinge_reaction()
         pushing = [along, across, *s.acting.forces[far], *s.acting.forces[near]]
         end = self.close_force_polygon(plan, pushing, name_of_force(near, self.brace.near.other))
-        held = full_mark_name(plan, POLE_LABEL), full_mark_name(plan, vector_end_label(across.name))
+        held = plan.pole, plan.mark(vector_end_label(across.name))
         far_reaction = Reaction(name_of_force(far, self.brace.far.other), plan, *held, self.brace.far)
         own = [*s.acting.forces[self.hinge.link], s.reaction_as_force(far_reaction, self.hinge.link)]
         last_end = self.close_force_polygon(last, own, name_of_force(self.hinge.link, self.hinge.other))
         return {
             self.brace.far: held,
-            self.brace.near: (full_mark_name(plan, end), full_mark_name(plan, POLE_LABEL)),
-            self.hinge: (full_mark_name(last, last_end), full_mark_name(last, POLE_LABEL)),
+            self.brace.near: (plan.mark(end), plan.pole),
+            self.hinge: (last.mark(last_end), last.pole),
         }
 
     def far_hinge_reaction(self) -> tuple[Force, Force]:
@@ -67,8 +66,8 @@ class BraceForces(RubbingPlan):
         far = self.brace.far.point
         half = self.brace.far.link
         other = self.brace.far.other
-        line = d.direction_between_marks(SCHEME_PLAN, near, far)
-        length = d.measure_segment(f"l_{near}{far}", scheme_mark(near), scheme_mark(far))
+        line = d.direction_between_marks(near, far)
+        length = d.measure_segment(f"l_{near}{far}", *SCHEME_PLAN.marks(near, far))
         forces = [f for x in self.brace.cylinder_links for f in s.acting.forces[x]]
         couples = [c for x in self.brace.cylinder_links for c in self.couples[x]]
         name = name_of_force(half, other)
@@ -84,7 +83,7 @@ class BraceForces(RubbingPlan):
         d.solve_moment_equation(f"{name}^n", about, (other,), terms, arm)
         return Force(f"{name}^n", half, f"{name}^n", line, pin, "tangential"), across
 
-    def close_force_polygon(self, plan: str, forces: list[Force], name: str) -> str:
+    def close_force_polygon(self, plan: PlanId, forces: list[Force], name: str) -> str:
         """Lay off the known forces; the closing vector gets that name and starts from the label given."""
         chain, end = self.statics.lay_off_forces(plan, forces)
         self.draft.draw_closing_vector(plan, chain, name, end)

@@ -15,10 +15,9 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.lead_forces import HeldLead, LeadForces, PairEnds
 from planes.plans.force.loads import Couple, Force, name_of_force
 from planes.plans.force.reactions import Reaction
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, Meaning, NameTuple, label_of, mu_name, split_value_name
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Meaning, NameTuple, scheme_mark, split_value_name
 
 
 @frozen
@@ -170,7 +169,7 @@ class ContourForces(LeadForces):
         if pair.kind == "P":
             along = f"cos_{held.other_component_name}_{pair.guide}", held.line, f"∥{pair.guide}"
             return d.add_step(CosineFalse(*along, lines=lines, means=means) if choice else Cosine(*along))
-        own = f"h_{held.key}^n_{label_of(about)}", held.point, held.line, about, mu_name(SCHEME_PLAN)
+        own = f"h_{held.key}^n_{about.label}", held.point, held.line, about, SCHEME_PLAN.mu_name
         return d.add_step(DropFalse(*own, lines=lines, means=means) if choice else Drop(*own, means=means))
 
     def line_of_no_effect(self, held: HeldLead) -> str:
@@ -179,7 +178,7 @@ class ContourForces(LeadForces):
         inner = held.lead.inner
         if outer.kind == "P":
             return self.draft.draw_perpendicular(f"∥{outer.guide}")
-        return self.draft.direction_between_marks(SCHEME_PLAN, outer.point, inner.point or held.lead.outer.point)
+        return self.draft.direction_between_marks(outer.point, inner.point or held.lead.outer.point)
 
     def unknown_by_equilibrium(self, name: str, side: _Equilibrium, more: list[Force], sign: float, arm: str) -> str:
         """The unknown from an equation of moments about an outer hinge, or of forces along an outer guide."""

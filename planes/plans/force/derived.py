@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.columns import DriverVector
-from planes.words.names import UNIT_OF_LOADING, NamePair, NameTuple
+from planes.words.names import NO_MARK, UNIT_OF_LOADING, MarkPair, NameTuple
 from planes.words.units import unit_of_parameter
 
 
@@ -17,7 +17,7 @@ class Derived(NamedTuple):
     unit: str
     value: str
     group: str
-    ends: NamePair = ("", "")
+    ends: MarkPair = (NO_MARK, NO_MARK)
     per: DriverVector | None = None
 
 

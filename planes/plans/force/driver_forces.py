@@ -5,10 +5,9 @@ from planes.drafting.steps.settling import Fed
 from planes.plans.force.hinges import hinge_friction
 from planes.plans.force.loads import Force, name_of_force
 from planes.plans.force.reactions import Statics, cross_reactions_with_friction
-from planes.plans.position.bodies import scheme_mark
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE_LABEL, Meaning, force_plan_name, full_mark_name
+from planes.words.names import POLE_LABEL, Meaning, PlanId, scheme_mark
 
 
 class DriverForces:
@@ -20,7 +19,7 @@ class DriverForces:
         self.draft = statics.bodies.draft
         self.link = self.bodies.mechanism.drive.link
         self.pair = self.bodies.structure.drive_pair
-        self.plan = force_plan_name(self.link)
+        self.plan = PlanId("force", self.link)
         self.forces = statics.acting.forces[self.link]
         self.couples = statics.acting.couples[self.link]
 
@@ -33,7 +32,7 @@ class DriverForces:
     def turning(self, terms: Chain, start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""
         self.draft.draw_closing_vector(self.plan, terms, key, start)
-        ends = full_mark_name(self.plan, start), full_mark_name(self.plan, POLE_LABEL)
+        ends = self.plan.mark(start), self.plan.pole
         if grip := hinge_friction(self.statics.acting, self.pair):
             self.draft.add_step(Fed(grip.couple, grip.factor, self.draft.measure_segment(f"|{key}|", *ends)))
         self.statics.record_reaction(self.pair, self.plan, *ends, grip)
@@ -56,12 +55,10 @@ class DriverForces:
             Force(name, self.link, name, along, scheme_mark(point), "load"), scheme_mark(self.pair.point)
         )
         self.statics.balancing_force = d.add_product(name, **{self.statics.balancing: 1, arm: -1})
-        end = d.lay_off(
-            self.plan, name, full_mark_name(self.plan, start), along, name, Meaning("load", name, link=self.link)
-        )
+        end = d.lay_off(self.plan, name, self.plan.mark(start), along, name, Meaning("load", name, link=self.link))
         d.name_segment(self.plan, start, name, name)
         d.name_segment(self.plan, name, POLE_LABEL, f"{key}^b")
-        self.statics.beside_force = f"{key}^b", end, full_mark_name(self.plan, POLE_LABEL)
+        self.statics.beside_force = f"{key}^b", end, self.plan.pole
 
     def balance_sliding_driver(self, terms: Chain, start: str, key: str) -> None:
         """The guide's reaction meets the balancing force, which acts along the guide."""
@@ -75,9 +72,7 @@ class DriverForces:
         else:
             self.draft.lay_off_until_meeting(self.plan, terms, reaction, force)
         self.statics.balancing = force.name
-        guide_reaction = self.statics.record_reaction(
-            self.pair, self.plan, full_mark_name(self.plan, start), full_mark_name(self.plan, key)
-        )
+        guide_reaction = self.statics.record_reaction(self.pair, self.plan, *self.plan.marks(start, key))
         self.statics.find_slider_couple_and_arm(
             guide_reaction, self.link, self.bodies.foot_on_guide(self.pair), self.forces, self.couples
         )

@@ -5,14 +5,14 @@ from functools import cached_property
 from planes.drafting.steps.laws import ByStroke, Follow
 from planes.drafting.steps.reckoning import Protractor, Sense
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, scheme_mark
+from planes.plans.position.bodies import Bodies
 from planes.scene.expressions import names_in_expression
 from planes.scene.load_laws import Coordinate, check_law, coordinates_by_name
 from planes.scene.mechanism import FRAME, Amount, Load, LoadLaw, StrokeLoad
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, SceneError, list_valid_choices
 from planes.words.frozen import field, frozen
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name
+from planes.words.names import SCHEME_PLAN, Meaning, scheme_mark
 
 
 @frozen
@@ -112,4 +112,4 @@ class LawValues:
             )
             return d.measure_segment(name, d.draw_pole(SCHEME_PLAN), scheme_mark(c.of), along)
         rates = self.velocity if c.letter == "v" else self.accelerations
-        return d.measure_segment(name, full_mark_name(rates.plan, POLE_LABEL), rates.mark(c.of))
+        return d.measure_segment(name, rates.plan.pole, rates.mark(c.of))

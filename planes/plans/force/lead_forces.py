@@ -18,11 +18,10 @@ from planes.plans.force.hinges import Slip
 from planes.plans.force.loads import Couple, Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import RubbingPlan, Rubs
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, NameTuple, force_plan_name, full_mark_name
+from planes.words.names import POLE_LABEL, Mark, MarkPair, Meaning, NamePair, NameTuple, PlanId, scheme_mark
 
-Ends = tuple[str, str]  # end marks of a reaction
+Ends = MarkPair  # end marks of a reaction
 PairEnds = dict[Pair, Ends]
 
 
@@ -34,7 +33,7 @@ class HeldLead:
     key: str  # the outer reaction on the lead
     known: list[Force]
     line: str
-    point: str
+    point: Mark
     loads: list[Force]
     couples: list[Couple]
 
@@ -58,7 +57,7 @@ class LeadForces(RubbingPlan):
 
     def __init__(self, statics: Statics, group: Tracked) -> None:
         super().__init__(statics, group)
-        self.plan = force_plan_name(*group.links_by_force_plan[0])
+        self.plan = PlanId("force", *group.links_by_force_plan[0])
         self.leads = self.bodies.leads[group.basic]
         self.couples = {x: list(statics.acting.couples[x]) for x in group.all_links}
         self.slips: Mapping[Pair, Slip] = {}
@@ -102,7 +101,7 @@ class LeadForces(RubbingPlan):
         pivot = scheme_mark(outer.point)
         name = f"{key}^t"
         if inner.kind == "R":
-            line = d.direction_between_marks(SCHEME_PLAN, outer.point, inner.point)
+            line = d.direction_between_marks(outer.point, inner.point)
             length = f"l_{outer.point}{inner.point}"
             if not lead.drive:
                 length = self.bodies.given_distance(self.bodies.mechanism.links[link], outer.point, inner.point)
@@ -126,7 +125,7 @@ class LeadForces(RubbingPlan):
             return [Product(sign, ((self.slips[pair].force, 1),))]
         return []
 
-    def guide_friction_on_link(self, pair: Pair, link: str, point: str) -> list[Force]:
+    def guide_friction_on_link(self, pair: Pair, link: str, point: Mark) -> list[Force]:
         """The friction of a guide on one of its links, if there is any."""
         if pair not in self.slips:
             return []
@@ -177,7 +176,7 @@ class LeadForces(RubbingPlan):
         first = self.bodies.mechanism.links[link].first_point
         return s.find_slider_couple_and_arm(reaction, link, scheme_mark(first), forces, [*self.couples[link], *handed])
 
-    def reaction_on_first_link(self, links: NameTuple, pair: Pair, ends: Ends) -> Ends:
+    def reaction_on_first_link(self, links: NameTuple, pair: Pair, ends: NamePair) -> Ends:
         """A reaction on one of the links, with the sign for the first link of its pair."""
-        start, end = (full_mark_name(self.plan, label) for label in ends)
+        start, end = self.plan.marks(*ends)
         return (start, end) if pair.link in links else (end, start)

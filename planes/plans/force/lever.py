@@ -11,7 +11,7 @@ from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.force.loads import Force
 from planes.plans.force.reactions import Statics
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, NamePair, full_mark_name, mu_name
+from planes.words.names import LEVER_PLAN, POLE_LABEL, NamePair
 
 
 def draw_lever(s: Statics) -> str:
@@ -20,7 +20,7 @@ def draw_lever(s: Statics) -> str:
     b = s.bodies
     drive = b.mechanism.drive
     rate = acting.motion.drive_rate_name
-    b.draft.draw_pole("lever")
+    b.draft.draw_pole(LEVER_PLAN)
     terms = []
     for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # not of a reaction
         arm = _lever_arm(s, force)
@@ -34,7 +34,7 @@ def draw_lever(s: Statics) -> str:
     for value, speed in friction_and_relative_speeds(s):
         terms.append((value, speed, Product(-1.0, ((value, 1), (speed, 1), (rate, -1)))))
     name = f"{'M' if drive.rotates else 'F'}Z_{drive.link}"
-    return b.draft.solve_moment_equation(name, full_mark_name("lever", POLE_LABEL), ("lever",), terms)
+    return b.draft.solve_moment_equation(name, LEVER_PLAN.pole, ("lever",), terms)
 
 
 def friction_and_relative_speeds(s: Statics) -> list[NamePair]:
@@ -61,8 +61,8 @@ def _lever_arm(s: Statics, force: Force) -> str:
     motion = s.acting.motion
     assert force.spot
     label = motion.label(force.spot.name)
-    mark = pole = full_mark_name("lever", POLE_LABEL)
+    mark = pole = LEVER_PLAN.pole
     if label != POLE_LABEL:
-        ends = full_mark_name(motion.plan, POLE_LABEL), motion.mark(force.spot.name)
-        mark = s.bodies.draft.add_step(Carry(full_mark_name("lever", label), mark, *ends, 1))
-    return s.bodies.draft.add_step(Drop(f"H_{force.name}", mark, force.along, pole, mu_name("lever")))
+        ends = motion.plan.pole, motion.mark(force.spot.name)
+        mark = s.bodies.draft.draw_mark(Carry(LEVER_PLAN.mark(label), mark, *ends, 1))
+    return s.bodies.draft.add_step(Drop(f"H_{force.name}", mark, force.along, pole, LEVER_PLAN.mu_name))

@@ -8,10 +8,10 @@ from planes.drafting.steps import Aim, Turn
 from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.force.following import LawValues
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import Bodies, BodyPoint, scheme_mark
+from planes.plans.position.bodies import Bodies, BodyPoint
 from planes.scene.mechanism import FRAME, LOAD_KINDS, Link, Load, LoadLaw, Mechanism, StrokeLoad
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, NamePair, Quantity, full_mark_name
+from planes.words.names import Mark, Meaning, NamePair, Quantity, scheme_mark
 from planes.words.records import Json
 
 
@@ -23,7 +23,7 @@ class Force:
     link: str
     size: str
     along: str
-    point: str
+    point: Mark
     quantity: Quantity
     spot: BodyPoint | None = None
 
@@ -135,7 +135,7 @@ class Acting:
             Force(f"G_{link.name}", link.name, size, down, *self._mass_centre_mark(link, "weight"))
         )
 
-    def _mass_centre_mark(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
+    def _mass_centre_mark(self, link: Link, quantity: Quantity) -> tuple[Mark, Quantity, BodyPoint]:
         return scheme_mark(link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
 
     def _add_inertia_loads(self, link: Link) -> None:
@@ -147,7 +147,7 @@ class Acting:
             value = d.add_product(f"MI_{link.name}", -1.0, **{moment: 1, rates.spin(root): 1})
             self.couples[link.name].append(Couple(f"MI_{link.name}", link.name, value, inertia=True))
         mark = rates.mark(link.mass_centre)
-        pole = full_mark_name(rates.plan, POLE_LABEL)
+        pole = rates.plan.pole
         if link.mass is None or mark == pole:
             return
         rate = d.measure_segment(f"a_{link.mass_centre}", pole, mark)
@@ -164,7 +164,7 @@ class Acting:
         point = load.point or ""
         size = self.laws.name_of_load_value(f"{name}_given", load, Meaning("load", name, link=load.link))
         if load.sense:
-            ends = full_mark_name(self.motion.plan, POLE_LABEL), self.motion.mark(point)
+            ends = self.motion.plan.pole, self.motion.mark(point)
             moving = d.add_step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
             ends = ends if load.sense == "along" else (ends[1], ends[0])
             means = Meaning("with" if load.sense == "along" else "against", f"v_{point}")

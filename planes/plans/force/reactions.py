@@ -17,16 +17,7 @@ from planes.plans.force.loads import Acting, Couple, Force, force_pair_index, na
 from planes.plans.position.bodies import Bodies
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import (
-    POLE_LABEL,
-    Meaning,
-    NamePair,
-    NameTriple,
-    full_mark_name,
-    label_of,
-    mu_name,
-    vector_end_label,
-)
+from planes.words.names import POLE_LABEL, Mark, Meaning, NamePair, NamesByName, PlanId, vector_end_label
 
 
 @frozen
@@ -36,9 +27,9 @@ class Reaction:
     that of friction, and the arm is about its centre: the line of action is tangent to the friction circle."""
 
     key: str
-    plan: str
-    start: str
-    end: str
+    plan: PlanId
+    start: Mark
+    end: Mark
     pair: Pair
     normal: str = ""
     arm: str = ""
@@ -49,7 +40,7 @@ class Reaction:
     edges: NamePair | None = None
 
     @property
-    def both_reaction_names(self) -> dict[str, str]:
+    def both_reaction_names(self) -> NamesByName:
         """Both its names, each with the link it acts on."""
         one = self.pair.link
         two = self.pair.other
@@ -76,11 +67,11 @@ class Statics:
     reactions: dict[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
     balancing_force: str = ""  # of a turning driver, where requested
-    beside_force: NameTriple | None = None  # the frame's reaction that goes with it, and its marks
-    centres: dict[str, str] = field(default_factory=dict)  # the point about which each force's arm was taken first
+    beside_force: tuple[str, Mark, Mark] | None = None  # the frame's reaction that goes with it, and its marks
+    centres: NamesByName = field(default_factory=dict)  # the point about which each force's arm was taken first
 
     def moments_about_mark(
-        self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
+        self, about: Mark, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
     ) -> MomentTerms:
         """The moments about a mark, times ``sign``, divided by the value ``over``."""
         tail = ((over, -1),) if over else ()
@@ -88,15 +79,15 @@ class Statics:
         terms = [(f.name, arm, Product(sign, ((f.size, 1), (arm, 1), *tail))) for f, arm in levers]
         return terms + [(c.name, "", Product(sign * c.sign, ((c.value, 1), *tail))) for c in couples]
 
-    def arm_about_mark(self, f: Force, about: str) -> str:
+    def arm_about_mark(self, f: Force, about: Mark) -> str:
         """The arm of a force about a mark."""
-        centre = label_of(about)
+        centre = about.label
         name = f"h_{f.name}_{centre}"
         if self.centres.setdefault(f.name, centre) != centre:  # about another point: named too
             name += f"^{centre.lstrip('°')}"
         return self.bodies.draft.draw_arm(f.name, f.point, f.along, about, f.link, name)
 
-    def lay_off_forces(self, plan: str, forces: list[Force], start: str = POLE_LABEL) -> tuple[Chain, str]:
+    def lay_off_forces(self, plan: PlanId, forces: list[Force], start: str = POLE_LABEL) -> tuple[Chain, str]:
         """Forces laid off one after another on a plan from the mark with that label, each to a mark with its name;
         returns their terms, and the label reached."""
         chain = []
@@ -112,7 +103,7 @@ class Statics:
         b = replace(self.bodies, draft=self.bodies.draft.copy_for_trial())
         return Statics(b, replace(self.acting, bodies=b), centres=dict(self.centres))
 
-    def record_reaction(self, pair: Pair, plan: str, start: str, end: str, grip: Grip | None = None) -> Reaction:
+    def record_reaction(self, pair: Pair, plan: PlanId, start: Mark, end: Mark, grip: Grip | None = None) -> Reaction:
         """Record the reaction on ``pair.link``, with the ``grip`` of a hinge with friction; it acts on both links from
         now on. A slider's couple comes later."""
         key = name_of_force(pair.link, pair.other)
@@ -123,7 +114,7 @@ class Statics:
         if bearings is not None and pair.point and pair.other == FRAME:
             reaction = replace(reaction, edges=self.bearing_reactions(reaction, bearings))
         self.reactions[key] = reaction
-        self.bodies.draft.name_segment(plan, label_of(start), label_of(end), key)
+        self.bodies.draft.name_segment(plan, start.label, end.label, key)
         return reaction
 
     def bearing_reactions(self, r: Reaction, bearings: complex) -> NamePair:
@@ -145,7 +136,7 @@ class Statics:
         return Force(name, on, size, along, self.bodies.mark_of_pair(r.pair), "reaction")
 
     def find_slider_couple_and_arm(
-        self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]
+        self, r: Reaction, link: str, about: Mark, forces: list[Force], couples: list[Couple]
     ) -> Reaction:
         """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
         d = self.bodies.draft
@@ -181,7 +172,7 @@ class Statics:
 
 
 def cross_reactions_with_friction(
-    acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]
+    acting: Acting, plan: PlanId, lines: list[Term], x: str, pairs: list[Pair]
 ) -> dict[str, Term]:
     """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` inclined, by a trial for each side.
     Returns the inclined terms by name, with the directions found."""
@@ -192,18 +183,18 @@ def cross_reactions_with_friction(
     for signs in product((1, -1), repeat=len(rubbing)):
         tag = "".join("+" if sign > 0 else "-" for sign in signs)
         leaning = {t.name: _lean_direction_step(acting, p, sign) for (t, p), sign in zip(rubbing, signs, strict=True)}
-        mark = full_mark_name(plan, f"{x}{tag}")
-        starts = [full_mark_name(plan, t.start) for t in lines]
+        mark = plan.mark(f"{x}{tag}")
+        starts = [plan.mark(t.start) for t in lines]
         along = [leaning.get(t.name, t.direction or "") for t in lines]
         d.add_step(Cross(mark, starts[0], along[0], starts[1], along[1], supposed=True, means=Meaning("trial")))
         pushes = tuple(_trial_normal_force(acting, plan, t, p, mark, tag) for t, p in rubbing)
         trials.append(Trial(mark, pushes, signs))
-    d.add_step(Choose(full_mark_name(plan, x), tuple(trials), full_mark_name(plan, lines[0].start), mu_name(plan)))
+    d.add_step(Choose(plan.mark(x), tuple(trials), plan.mark(lines[0].start), plan.mu_name))
     return {t.name: _inclined_term(acting, plan, t, p, x) for t, p in rubbing}
 
 
-def _inclined_term(acting: Acting, plan: str, term: Term, pair: Pair, x: str) -> Term:
-    ends = full_mark_name(plan, term.start), full_mark_name(plan, x)
+def _inclined_term(acting: Acting, plan: PlanId, term: Term, pair: Pair, x: str) -> Term:
+    ends = plan.marks(term.start, x)
     leaning = Meaning("leaning", pair.guide)
     along = acting.bodies.draft.draw_direction_through_marks(
         f"∡{term.name}", *(ends if term.sign > 0 else ends[::-1]), leaning
@@ -220,9 +211,9 @@ def _lean_direction_step(acting: Acting, pair: Pair, sign: int) -> str:
     return d.add_step(Lean(name, d.draw_perpendicular(guide), guide, coefficient, sense, sign, means=means))
 
 
-def _trial_normal_force(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
+def _trial_normal_force(acting: Acting, plan: PlanId, term: Term, pair: Pair, mark: Mark, tag: str) -> str:
     """The trial's normal force on the slider, signed along the guide's normal."""
     forward = (term.sign > 0) == (term.name == name_of_force(pair.link, pair.other))
-    start = full_mark_name(plan, term.start)
+    start = plan.mark(term.start)
     ends = (start, mark) if forward else (mark, start)
     return acting.bodies.draft.measure_segment(f"N_{pair.link}{pair.other}{tag}", *ends, f"⊥∥{pair.guide}")

@@ -10,7 +10,7 @@ from planes.plans.force.hinges import Grip, Slip, guide_friction, hinge_friction
 from planes.plans.force.loads import Couple, name_of_force
 from planes.plans.force.reactions import Statics
 from planes.words.frozen import field, frozen
-from planes.words.names import NamePair
+from planes.words.names import MarkPair
 
 
 @frozen
@@ -41,7 +41,7 @@ class RubbingPlan:
         for link, couples in self.couples.items():
             couples += rubs.friction_couples_on_link(link)
 
-    def polygon(self) -> Mapping[Pair, NamePair]:
+    def polygon(self) -> Mapping[Pair, MarkPair]:
         """Draw the polygons; each reaction is on the first link of its pair."""
         raise NotImplementedError
 

@@ -21,9 +21,8 @@ from planes.plans.force.hinges import Grip
 from planes.plans.force.loads import Couple, Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics, cross_reactions_with_friction
 from planes.plans.force.rubbing import RubbingPlan, Rubs
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, NamePair, NameTuple, force_plan_name, full_mark_name, vector_end_label
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Mark, MarkPair, NameTuple, PlanId, scheme_mark, vector_end_label
 
 
 def draw_all_force_plans(statics: Statics) -> None:
@@ -52,7 +51,7 @@ class _GroupForces(RubbingPlan):
 
     def __init__(self, statics: Statics, group: Group) -> None:
         super().__init__(statics, group)
-        self.plan = force_plan_name(*group.balanced_links)
+        self.plan = PlanId("force", *group.balanced_links)
         acting = statics.acting
         self.loads = {x: [f for part in group.loaded_links(x) for f in acting.forces[part]] for x in group.links}
         self.couples = {x: [c for part in group.loaded_links(x) for c in acting.couples[part]] for x in group.links}
@@ -71,7 +70,7 @@ class _GroupForces(RubbingPlan):
                 c for x in self.group.links_composing(link) for c in rubs.friction_couples_on_link(x)
             ]
 
-    def polygon(self) -> dict[Pair, NamePair]:
+    def polygon(self) -> dict[Pair, MarkPair]:
         """Draw the polygon; returns the end marks of each reaction, on the first link of its pair."""
         g = self.group
         plan = self.plan
@@ -89,15 +88,9 @@ class _GroupForces(RubbingPlan):
         self.state_crossing_equations(rays, first, last, x)
         starts = vector_end_label(head[0].name) if head else POLE_LABEL, last[-1].start if tail else e_b
         return {
-            g.first_outer: self.reaction_ends_on_first_link(
-                g.first_outer, g.first, full_mark_name(plan, x), full_mark_name(plan, starts[0])
-            ),
-            g.inner: self.reaction_ends_on_first_link(
-                g.inner, g.first, full_mark_name(plan, e_a), full_mark_name(plan, x)
-            ),
-            g.last_outer: self.reaction_ends_on_first_link(
-                g.last_outer, g.last, full_mark_name(plan, starts[1]), full_mark_name(plan, x)
-            ),
+            g.first_outer: self.reaction_ends_on_first_link(g.first_outer, g.first, *plan.marks(x, starts[0])),
+            g.inner: self.reaction_ends_on_first_link(g.inner, g.first, *plan.marks(e_a, x)),
+            g.last_outer: self.reaction_ends_on_first_link(g.last_outer, g.last, *plan.marks(starts[1], x)),
         }
 
     def state_crossing_equations(self, rays: dict[str, Term], first: Chain, last: Chain, x: str) -> None:
@@ -138,7 +131,7 @@ class _GroupForces(RubbingPlan):
                 if self.group.kind == 3
                 else (pair.point, self.group.inner.point)
             )
-            along = self.draft.direction_between_marks(SCHEME_PLAN, *ends)
+            along = self.draft.direction_between_marks(*ends)
         return Term(name, start, x, None, along, along or "", sign=sign)
 
     def tangential_reaction_by_moments(self, link: str, pair: Pair) -> list[Force]:
@@ -147,14 +140,14 @@ class _GroupForces(RubbingPlan):
         g = self.group
         if g.kind == 3:
             about = g.last_outer.point
-            ray = d.direction_between_marks(SCHEME_PLAN, g.last_outer.point, pair.point)
+            ray = d.direction_between_marks(g.last_outer.point, pair.point)
             sides: NameTuple = (g.first, g.last)
-            length = d.measure_segment(f"l_{about}{pair.point}", scheme_mark(about), scheme_mark(pair.point))
+            length = d.measure_segment(f"l_{about}{pair.point}", *SCHEME_PLAN.marks(about, pair.point))
             sign = -1.0
         else:
             about = g.inner.point
             sides = (link,)
-            ray = d.direction_between_marks(SCHEME_PLAN, pair.point, g.inner.point)
+            ray = d.direction_between_marks(pair.point, g.inner.point)
             length = self.distance_between_hinges(link, pair.point, about)
             sign = 1.0
         forces = [f for x in sides for f in self.loads[x]]
@@ -177,7 +170,7 @@ class _GroupForces(RubbingPlan):
         holder = self.group.link_holding_pair(link, pair)
         return name_of_force(holder, pair.other_link_of_pair(holder))
 
-    def read_group_reactions(self, ends: dict[Pair, NamePair]) -> None:
+    def read_group_reactions(self, ends: dict[Pair, MarkPair]) -> None:
         """Read the reactions of the three pairs as segments and the couples of the sliding ones, and pass them on."""
         g = self.group
         reactions = {p: self.statics.record_reaction(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
@@ -191,7 +184,7 @@ class _GroupForces(RubbingPlan):
                 seated[g.inner if g.inner.has_link(g.drive.link) else g.held_link_first_with_pairs[0][1]], g.drive.link
             )
 
-    def reaction_ends_on_first_link(self, pair: Pair, link: str, start: str, end: str) -> NamePair:
+    def reaction_ends_on_first_link(self, pair: Pair, link: str, start: Mark, end: Mark) -> MarkPair:
         """The ends of the reaction on ``link`` from start to end, with the sign for the first link of the pair."""
         if pair.link in self.group.links_composing(link):
             return (start, end)

@@ -19,10 +19,10 @@ from planes.plans.motion.carrying import draw_carried_mark
 from planes.plans.motion.driven import terms_of_driven_leg
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg, leg_by_outer_pair, leg_of_lead
-from planes.plans.position.bodies import Body, BodyPoint, scheme_mark
+from planes.plans.position.bodies import Body, BodyPoint
 from planes.plans.position.contour_scheme import largest_link_size
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Mark, MarkPair, Meaning
 
 FALSE_PLAN_MEANING = Meaning("false")
 
@@ -78,15 +78,15 @@ class ContourRates:
         label = self.rates.label(spot.name)
         return f"{label.removesuffix(chr(39))}_{plan}" + ("'" if label.endswith("'") else "")
 
-    def mark(self, label: str) -> str:
+    def mark(self, label: str) -> Mark:
         """A label's mark."""
-        return full_mark_name(self.rates.plan, label)
+        return self.rates.plan.mark(label)
 
-    def known_part_end_of_leg(self, leg: Leg) -> str:
+    def known_part_end_of_leg(self, leg: Leg) -> Mark:
         """The end of the known part of an outer leg, whatever is assumed: for the base, at zero rate."""
         mark = self.rates.mark(leg.known.name)
         for term in self.known_part_of_leg(leg):
-            mark = self.draft.lay_off_known_vector(self.rates.plan, replace(term, start=label_of(mark)))
+            mark = self.draft.lay_off_known_vector(self.rates.plan, replace(term, start=mark.label))
         return mark
 
     def known_part_of_leg(self, leg: Leg) -> Iterator[Term]:
@@ -116,12 +116,12 @@ class ContourRates:
             f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name)
         )
 
-    def false_plan_distances(self, first: str, second: str) -> tuple[NamePair, NamePair]:
+    def false_plan_distances(self, first: Mark, second: Mark) -> tuple[MarkPair, MarkPair]:
         """The distance of the true plan from I, and of II from I, along the line of the second lead's false vectors."""
         d = self.draft
         start, end = self.assumed_second_lead_ends(first, "I")
         from_, to = self.assumed_second_lead_ends(second, "II")
-        carried = d.add_step(
+        carried = d.draw_mark(
             Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE_PLAN_MEANING)
         )
         self.name_assumed_vector(start, carried, "II,I")
@@ -133,7 +133,7 @@ class ContourRates:
         d.add_step(Cross(met, foot, self.other.along, end, line, means=FALSE_PLAN_MEANING))
         return (end, met), (end, carried)
 
-    def assumed_second_lead_ends(self, hinge: str, plan: str) -> NamePair:
+    def assumed_second_lead_ends(self, hinge: Mark, plan: str) -> MarkPair:
         """The ends of the second lead on a false plan, with the base's point of the first lead at its assumed place."""
         r = self.rates
         d = self.draft
@@ -154,30 +154,30 @@ class ContourRates:
         self.state_false_plan_equation(hinge, terms, met, plan)
         end = self.second_lead_point_on_false_plan(met, plan)
         if start not in (near, hinge):
-            d.name_segment(r.plan, POLE_LABEL, label_of(start), f"{r.letter}{self.other.known.name}^{plan}")
+            d.name_segment(r.plan, POLE_LABEL, start.label, f"{r.letter}{self.other.known.name}^{plan}")
         self.name_assumed_vector(start, end, plan)
         return start, end
 
-    def name_assumed_vector(self, start: str, end: str, plan: str) -> None:
+    def name_assumed_vector(self, start: Mark, end: Mark, plan: str) -> None:
         """Name the vector that the second lead would have on a false plan."""
         self.draft.name_segment(
-            self.rates.plan, label_of(start), label_of(end), f"{self.rates.letter}{self.other.symbol}^{plan}"
+            self.rates.plan, start.label, end.label, f"{self.rates.letter}{self.other.symbol}^{plan}"
         )
 
-    def lay_off_known_parts(self, leg: Leg, start: str, plan: str) -> tuple[str, list[Term]]:
+    def lay_off_known_parts(self, leg: Leg, start: Mark, plan: str) -> tuple[Mark, list[Term]]:
         """The known parts of a lead's rate on a false plan, from the assumed place of its first point; and their
         terms."""
         terms = []
         mark = start
         for term in self.known_part_of_leg(leg):
             end = f"{term.end.removesuffix(chr(39))},{plan}" + ("'" if term.end.endswith("'") else "")
-            terms.append(replace(term, start=label_of(mark), end=end, drawn=True))
+            terms.append(replace(term, start=mark.label, end=end, drawn=True))
             mark = self.draft.lay_off(
                 self.rates.plan, end, mark, term.direction or "", term.length or "", FALSE_PLAN_MEANING
             )
         return mark, terms
 
-    def second_lead_point_on_false_plan(self, met: str, plan: str) -> str:
+    def second_lead_point_on_false_plan(self, met: Mark, plan: str) -> Mark:
         """The second lead's point of the basic link on a false plan, with the first one given."""
         r = self.rates
         d = self.draft
@@ -188,14 +188,14 @@ class ContourRates:
             far = r.mark(self.basic.known.name)
             pivot = self.basic.known
             shape = self.points_on_scheme(pivot, self.other.new), self.points_on_scheme(pivot, self.rod.new)
-            return d.add_step(Image(end, far, *shape, (far, met), means=FALSE_PLAN_MEANING))
+            return d.draw_mark(Image(end, far, *shape, (far, met), means=FALSE_PLAN_MEANING))
         return draw_carried_mark(r, self.rotating_link, met, self.rod.new, self.other.new, end, FALSE_PLAN_MEANING)
 
-    def state_false_plan_equation(self, hinge: str, terms: list[Term], met: str, plan: str) -> None:
+    def state_false_plan_equation(self, hinge: Mark, terms: list[Term], met: Mark, plan: str) -> None:
         """State the equation of a false plan."""
         r = self.rates
-        end = label_of(met)
-        one = [Term(f"{r.letter}{self.rod.known.name}^{plan}", POLE_LABEL, label_of(hinge), drawn=True), *terms]
+        end = met.label
+        one = [Term(f"{r.letter}{self.rod.known.name}^{plan}", POLE_LABEL, hinge.label, drawn=True), *terms]
         two = [*r.terms_to_new_point(self.basic)][:-1]
         for chain, leg in ((one, self.rod), (two, self.basic)):
             part = ("r" if leg.pair else "t") if r.is_acceleration_plan else ""
@@ -205,10 +205,10 @@ class ContourRates:
             Equation(r.plan, (tuple(one), tuple(two)), f"{r.letter}{self.rod.new.name}^{plan}")
         )
 
-    def points_on_scheme(self, *spots: BodyPoint) -> NamePair:
+    def points_on_scheme(self, *spots: BodyPoint) -> MarkPair:
         """Two points on the scheme."""
         one, two = spots
-        return scheme_mark(one.place), scheme_mark(two.place)
+        return SCHEME_PLAN.marks(one.place, two.place)
 
     def read_link_rates(self, leg: Leg) -> None:
         """The readings from a link with both ends found."""
@@ -221,6 +221,6 @@ class ContourRates:
             d.lay_off_known_vector(r.plan, term)
             d.name_segment(r.plan, term.start, term.end, term.name)
         end = r.label(leg.new.name)
-        d.measure_segment(last.name, full_mark_name(r.plan, last.start), full_mark_name(r.plan, end), last.direction)
+        d.measure_segment(last.name, *r.plan.marks(last.start, end), last.direction)
         d.name_segment(r.plan, last.start, end, last.name)
         r.measure_leg_rates(leg)

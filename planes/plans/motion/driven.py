@@ -10,8 +10,8 @@ from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Pair
 from planes.plans.motion.legs import Leg, SlideReading
 from planes.plans.motion.rate_plan import RatePlan
-from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name
+from planes.plans.position.bodies import BodyPoint
+from planes.words.names import POLE_LABEL, Mark, Meaning
 
 
 def terms_of_driven_leg(r: RatePlan, leg: Leg, drive: Pair) -> Iterator[Term]:
@@ -50,13 +50,13 @@ def _turning_drive_terms(r: RatePlan, leg: Leg, drive: Pair) -> Iterator[Term]:
     hinge = leg.new.place
     other = r.bodies.mechanism.link(drive.other_link_of_pair(leg.held))
     ends = (motor, hinge) if other.name == drive.link else (hinge, motor)
-    ray = d.direction_between_marks(SCHEME_PLAN, *ends)
+    ray = d.direction_between_marks(*ends)
     length = r.bodies.given_distance(other, motor, hinge)
     across = d.draw_perpendicular(ray)
     name = r.letter + leg.driven
     start = r.label(leg.known.name)
     if r.is_acceleration_plan:
-        back = d.direction_back_between_marks(SCHEME_PLAN, *ends)
+        back = d.direction_back_between_marks(*ends)
         if leg.turns:
             yield (coriolis := _drive_coriolis_term(r, leg, back))
             start = coriolis.end
@@ -95,9 +95,9 @@ def _end_label_of_leg(r: RatePlan, leg: Leg) -> str:
     return f"r_{leg.driven}" + ("'" if r.is_acceleration_plan else "")
 
 
-def mark_at_drive_vector_end(r: RatePlan, leg: Leg) -> str:
+def mark_at_drive_vector_end(r: RatePlan, leg: Leg) -> Mark:
     """The mark at the end of the drive's known vector."""
-    return full_mark_name(r.plan, _end_label_of_leg(r, leg))
+    return r.plan.mark(_end_label_of_leg(r, leg))
 
 
 def draw_point_under_hinge(r: RatePlan, leg: Leg, drive: Pair) -> None:
@@ -114,7 +114,7 @@ def draw_point_under_hinge(r: RatePlan, leg: Leg, drive: Pair) -> None:
         _state_other_link_rate(r, leg, drive)
         return
     bent = r.is_acceleration_plan and leg.turns
-    middle = full_mark_name(r.plan, f"k_{leg.driven}") if bent else known
+    middle = r.plan.mark(f"k_{leg.driven}") if bent else known
     along = f"∥{drive.guide}"
     ends = (middle, end)
     turned = (known, middle)
@@ -135,5 +135,5 @@ def _state_other_link_rate(r: RatePlan, leg: Leg, drive: Pair) -> None:
     own = [Product(1.0, ((r.spin(leg.turns), 1),))] if leg.turns else []
     d.add_sum(r.spin(other), [*own, Product(sign, ((r.hinge_rate_name, 1),))])
     r.image(leg.held, BodyPoint(drive.point, drive.point))
-    ray = d.direction_between_marks(SCHEME_PLAN, drive.point, leg.new.place)
+    ray = d.direction_between_marks(drive.point, leg.new.place)
     r.turning[other] = (r.mark(drive.point), r.mark(leg.new.name), d.draw_perpendicular(ray))

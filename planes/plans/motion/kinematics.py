@@ -12,7 +12,7 @@ from planes.plans.motion.driven import draw_point_under_hinge, mark_at_drive_vec
 from planes.plans.motion.legs import Leg, SlideReading, legs_of_group
 from planes.plans.motion.rate_plan import RatePlan, draw_point_turning_with_driver
 from planes.scene.mechanism import DRIVE_RATE_KEYS, FRAME
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name
+from planes.words.names import POLE_LABEL, Mark, Meaning
 
 
 class Rates(RatePlan):
@@ -85,7 +85,7 @@ class Rates(RatePlan):
         if leg.drive:
             draw_point_under_hinge(self, leg, leg.drive)
 
-    def unknown_vector_start(self, leg: Leg) -> str:
+    def unknown_vector_start(self, leg: Leg) -> Mark:
         """The start mark of a leg's unknown vector."""
         if leg.drive:
             return mark_at_drive_vector_end(self, leg)
@@ -98,7 +98,7 @@ class Rates(RatePlan):
         new = self.mark(leg.new.name)
         assert pair is not None
         turns = self.is_acceleration_plan and self.bodies.known[leg.link].root != FRAME
-        middle = full_mark_name(self.plan, f"k_{leg.symbol}") if turns else known
+        middle = self.plan.mark(f"k_{leg.symbol}") if turns else known
         ends = (middle, new) if leg.slider_new else (new, middle)
         value = self.draft.measure_segment(f"{self.letter}slide_{pair.link}", *ends, leg.along)
         if not self.is_acceleration_plan:
@@ -131,7 +131,7 @@ def _draw_driver_vectors(r: Rates) -> None:
     if drive.kind == "s":
         first = body.base.name
         guide = r.bodies.structure.drive_pair.guide
-        ends = full_mark_name(r.plan, POLE_LABEL), r.mark(first)
+        ends = r.plan.pole, r.mark(first)
         d.lay_off(r.plan, r.label(first), ends[0], f"∥{guide}", value)
         d.name_segment(r.plan, POLE_LABEL, r.label(first), r.letter + first)
         r.driven.append(ends[1])

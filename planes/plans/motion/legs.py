@@ -6,11 +6,11 @@ guide and Y is the coincident point of the other link. All five kinds of class I
 
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
+from planes.plans.position.bodies import Bodies, BodyPoint
 from planes.plans.position.positions import coincident_point_name
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, NamePair
+from planes.words.names import NO_MARK, POLE_LABEL, Mark, MarkPair
 
 
 @frozen
@@ -55,10 +55,10 @@ class SlideReading:
 
     guide: str
     value: str
-    ends: NamePair
+    ends: MarkPair
     along: str
-    coriolis: NamePair | None = None
-    under: str = ""
+    coriolis: MarkPair | None = None
+    under: Mark = NO_MARK
 
 
 def legs_of_group(b: Bodies, g: Group) -> tuple[Leg, Leg]:
@@ -105,9 +105,9 @@ def _leg_to_driven_hinge(b: Bodies, g: Group, drive: Pair) -> Leg:
         symbol = f"{spot.name}{new.name}0" if mate == FRAME else leg.symbol
         return replace(leg, new=new, symbol=symbol, drive=drive, held=g.held_link, spot=spot)
     pivot = pair.point
-    towards = d.direction_back_between_marks(SCHEME_PLAN, pivot, new.place)
+    towards = d.direction_back_between_marks(pivot, new.place)
     turning = (
-        d.draw_perpendicular(d.direction_between_marks(SCHEME_PLAN, pivot, new.place)),
+        d.draw_perpendicular(d.direction_between_marks(pivot, new.place)),
         f"l_{pivot}{new.place}",
         towards,
         g.held_link,
@@ -123,11 +123,11 @@ def leg_by_outer_pair(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
         return _sliding_leg(b, pair, link, pair.other_link_of_pair(link), new)
     pivot = pair.point
     d = b.draft
-    ray = d.direction_between_marks(SCHEME_PLAN, pivot, new.place)
+    ray = d.direction_between_marks(pivot, new.place)
     known = BodyPoint(pivot, pivot)
     length = b.distance_of_places(b.mechanism.link(link), known, new)
     across = d.draw_perpendicular(ray)
-    towards = d.direction_back_between_marks(SCHEME_PLAN, pivot, new.place)
+    towards = d.direction_back_between_marks(pivot, new.place)
     return Leg(new, known, pair.other_link_of_pair(link), new.name + pivot, across, length, towards, turns=link)
 
 

@@ -6,11 +6,11 @@ from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, Same
 from planes.plans.motion.legs import Leg, SlideReading
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, scheme_mark
+from planes.plans.position.bodies import Bodies, Body, BodyPoint
 from planes.plans.position.braces import far_link_relative_rate
 from planes.plans.position.reckoned import OwnPlace
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, NameTriple, full_mark_name
+from planes.words.names import POLE_LABEL, Mark, Meaning, PlanId, scheme_mark
 
 
 @dataclass
@@ -19,10 +19,10 @@ class RatePlan:
     "acceleration"."""
 
     bodies: Bodies
-    plan: str
-    turning: dict[str, NameTriple] = field(default_factory=dict)
+    plan: PlanId
+    turning: dict[str, tuple[Mark, Mark, str]] = field(default_factory=dict)
     slides: dict[str, SlideReading] = field(default_factory=dict)
-    driven: list[str] = field(default_factory=list)
+    driven: list[Mark] = field(default_factory=list)
 
     @property
     def draft(self) -> Draft:
@@ -76,9 +76,9 @@ class RatePlan:
         small = self.bodies.plan_label_of_point(name)
         return small + "'" if self.is_acceleration_plan else small
 
-    def mark(self, name: str) -> str:
+    def mark(self, name: str) -> Mark:
         """The full name of a point's mark."""
-        return full_mark_name(self.plan, self.label(name))
+        return self.plan.mark(self.label(name))
 
     def normal(self, leg: Leg, start: str) -> Term:
         """a^n = v²/l, towards the pivot."""
@@ -121,7 +121,7 @@ def draw_point_turning_with_driver(r: RatePlan, body: Body, spot: BodyPoint) -> 
     driver's pivot on the frame, or the point by which a link that slides on the driver is reached."""
     d = r.draft
     centre = body.first_reached_point
-    ray = d.direction_between_marks(SCHEME_PLAN, centre.place, spot.place)
+    ray = d.direction_between_marks(centre.place, spot.place)
     across = d.draw_perpendicular(ray)
     length = r.bodies.distance_of_places(body.link, centre, spot)
     start = r.label(centre.name)
@@ -133,13 +133,13 @@ def draw_point_turning_with_driver(r: RatePlan, body: Body, spot: BodyPoint) -> 
     if not r.is_acceleration_plan:
         value = d.add_product(name, **{r.spin(body.root): 1, length: 1})
         if own:
-            d.lay_off(r.plan, end, full_mark_name(r.plan, POLE_LABEL), across, value)
+            d.lay_off(r.plan, end, r.plan.pole, across, value)
         else:
             d.draw_equation(Equation(r.plan, ((*base, Term(name, start, end, value, across, across)), ()), total))
         return
     normal = d.add_product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
     tangential = d.add_product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
-    inwards = d.direction_back_between_marks(SCHEME_PLAN, centre.place, spot.place)
+    inwards = d.direction_back_between_marks(centre.place, spot.place)
     middle = "n_" + name.removeprefix(r.letter)
     turning = Meaning("normal", spot.name, centre.name)
     chain = (

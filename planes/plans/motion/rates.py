@@ -16,7 +16,8 @@ from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg, leg_of_lead
 from planes.plans.motion.slid_rates import SlidContourRates, SlidRates
 from planes.plans.motion.special_points import SpecialPoint, point_and_line_of_lead
-from planes.plans.position.bodies import BodyPoint, scheme_mark
+from planes.plans.position.bodies import BodyPoint
+from planes.words.names import scheme_mark
 
 
 class ChainRates:

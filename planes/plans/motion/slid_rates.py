@@ -17,7 +17,7 @@ from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg, leg_by_outer_pair, leg_of_lead
 from planes.plans.position.bodies import BodyPoint
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, NamePair, label_of
+from planes.words.names import POLE_LABEL, MarkPair, Meaning
 
 STILL_POINT_MEANING = Meaning("false", "still")
 
@@ -60,8 +60,8 @@ class SlidRates:
         start = r.mark(leg.known.name)
         end = r.mark(name)
         draw_carried_mark(r, root, start, leg.new, new, end)
-        to_known = Term(r.letter + leg.known.name, POLE_LABEL, label_of(start), drawn=True)
-        over_it = Term(f"{r.letter}{new.name}{leg.new.name}", label_of(start), label_of(end), drawn=True)
+        to_known = Term(r.letter + leg.known.name, POLE_LABEL, start.label, drawn=True)
+        over_it = Term(f"{r.letter}{new.name}{leg.new.name}", start.label, end.label, drawn=True)
         self.draft.measure_equation_results(Equation(r.plan, ((to_known, over_it), ()), r.letter + name))
         return replace(leg, new=new, known=over)
 
@@ -81,8 +81,8 @@ class SlidContourRates(ContourRates):
         new = r.label(self.rod.new.name)
         name = f"{r.letter}{self.rod.new.name}"
         along = self.swing.along
-        slid = Term(f"{name}^II", label_of(away), new, None, along, along)
-        start = Term(f"{name}^I", POLE_LABEL, label_of(away), drawn=True)
+        slid = Term(f"{name}^II", away.label, new, None, along, along)
+        start = Term(f"{name}^I", POLE_LABEL, away.label, drawn=True)
         r.solve(self.rod.new.name, (start, slid), r.terms_to_new_point(self.basic), (self.basic,))
         d.add_step(Carry(r.mark(self.rod.known.name), r.mark(self.rod.new.name), away, still))
         self.read_link_rates(self.swing)
@@ -94,7 +94,7 @@ class SlidContourRates(ContourRates):
         for lead in g.leads:
             r.draw_link_point_images(lead.link)
 
-    def draw_nonsliding_base(self) -> NamePair:
+    def draw_nonsliding_base(self) -> MarkPair:
         """A point of the base, and one of the basic link, for a base that does not slide."""
         r = self.rates
         d = self.draft
@@ -111,15 +111,15 @@ class SlidContourRates(ContourRates):
             over = self.mark(f"{self.label(self.other.new, 'I')}°")
             draw_carried_mark(r, self.rotating_link, back, self.other.new, self.rod.new, over, FALSE_PLAN_MEANING)
             name = f"{r.letter}{self.rod.new.name}{self.other.new.name}"
-            others.append(Term(name, label_of(back), label_of(over), drawn=True))
+            others.append(Term(name, back.label, over.label, drawn=True))
             back = over
         met = self.mark(self.label(self.rod.new, "I"))
         d.add_step(Cross(met, tied, self.rod.along, back, self.other.along, means=STILL_POINT_MEANING))
         chains = []
         for leg, begin, known in ((self.rod, hinge, terms), (self.other, end, others)):
             part = ("r" if leg.pair else "t") if r.is_acceleration_plan else ""
-            first = Term(f"{r.letter}{leg.known.name}^I", POLE_LABEL, label_of(begin), drawn=True)
-            last = (known or [first])[-1].end, label_of(met)
+            first = Term(f"{r.letter}{leg.known.name}^I", POLE_LABEL, begin.label, drawn=True)
+            last = (known or [first])[-1].end, met.label
             chains.append((first, *known, Term(f"{r.letter}{leg.symbol}^{part}I", *last, None, leg.along, leg.along)))
         d.measure_equation_results(Equation(r.plan, (chains[0], chains[1]), f"{r.letter}{self.rod.new.name}^I"))
         return hinge, met

@@ -14,8 +14,8 @@ from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import Cross
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg
-from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint, scheme_mark
-from planes.words.names import Meaning, NamePair, full_mark_name, split_value_name
+from planes.plans.position.bodies import BodyPoint
+from planes.words.names import SCHEME_PLAN, Meaning, NamePair, scheme_mark, split_value_name
 
 
 class SpecialPoint:
@@ -59,10 +59,10 @@ class SpecialPoint:
         s = self.spot.place
         new = leg.new
         d = self.draft
-        length = d.measure_segment(f"l_{s}{new.place}", scheme_mark(s), scheme_mark(new.place))
+        length = d.measure_segment(f"l_{s}{new.place}", *SCHEME_PLAN.marks(s, new.place))
         name = f"a_{s}{new.name}"
         value = d.add_product(f"{name}^n", **{f"omega_{self.basic}": 2, length: 1})
-        ray = d.direction_between_marks(SCHEME_PLAN, s, new.place)
+        ray = d.direction_between_marks(s, new.place)
         along = d.add_step(Turn(f"{s}→{new.place}", ray, 0, means=Meaning("towards", s, new.place)))
         normal = Meaning("normal", s, new.name)
         return Term(f"{name}^n", start, f"n_{s}{new.name}", length=value, direction=along, action=along, means=normal)
@@ -71,9 +71,9 @@ class SpecialPoint:
         """The motion of another point of the basic link about S."""
         s = self.spot
         d = self.draft
-        ray = d.direction_between_marks(SCHEME_PLAN, s.place, new.place)
-        length = d.measure_segment(f"l_{new.place}{s.place}", scheme_mark(new.place), scheme_mark(s.place))
-        towards = d.direction_back_between_marks(SCHEME_PLAN, s.place, new.place)
+        ray = d.direction_between_marks(s.place, new.place)
+        length = d.measure_segment(f"l_{new.place}{s.place}", *SCHEME_PLAN.marks(new.place, s.place))
+        towards = d.direction_back_between_marks(s.place, new.place)
         turning = (d.draw_perpendicular(ray), length, towards, self.basic)
         return Leg(new, s, self.basic, new.name + s.name, *turning)
 
@@ -100,9 +100,7 @@ class SpecialPoint:
             r.image(self.basic, leg.new)
             last = r.terms_to_new_point(leg)[-1]
             end = r.label(leg.new.name)
-            self.draft.measure_segment(
-                last.name, full_mark_name(r.plan, last.start), full_mark_name(r.plan, end), last.direction
-            )
+            self.draft.measure_segment(last.name, *r.plan.marks(last.start, end), last.direction)
             self.draft.name_segment(r.plan, last.start, end, last.name)
             r.measure_leg_rates(leg)
 
@@ -110,7 +108,7 @@ class SpecialPoint:
 def point_and_line_of_lead(d: Draft, leg: Leg) -> NamePair:
     """The point of a lead and its line, across the point's possible motion."""
     line = (
-        d.direction_between_marks(SCHEME_PLAN, leg.known.place, leg.new.place)
+        d.direction_between_marks(leg.known.place, leg.new.place)
         if leg.pair is None
         else d.draw_perpendicular(leg.along)
     )

@@ -8,11 +8,11 @@ given.
 from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, scheme_mark
+from planes.plans.position.bodies import Bodies
 from planes.plans.position.reckoned import OwnPlace, dimension_by_way, dimension_difference, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, NamePair
+from planes.words.names import NO_MARK, SCHEME_PLAN, Mark, MarkPair, Meaning, NamePair, scheme_mark
 
 
 @frozen
@@ -23,11 +23,11 @@ class Aside:
     bodies: Bodies
     link: Link
     base: str
-    start: str
+    start: Mark
     axis: str
     tag: str
 
-    def mark_of_point(self, point: str) -> str:
+    def mark_of_point(self, point: str) -> Mark:
         """The mark of a point of the link."""
         if point == self.base:
             return self.start
@@ -41,13 +41,13 @@ class Aside:
         )
         return self.lay_off_point(point, self.start, way, b.given_distance(self.link, self.base, point))
 
-    def lay_off_point(self, point: str, start: str, along: str, length: str) -> str:
+    def lay_off_point(self, point: str, start: Mark, along: str, length: str) -> Mark:
         """A point drawn aside, by a length from a mark."""
         label = f"{point}°{self.tag}"
         return self.bodies.draft.lay_off(SCHEME_PLAN, label, start, along, length, Meaning("guide", point))
 
 
-def aside_of_drive(b: Bodies, g: Group, start: str = "") -> Aside:
+def aside_of_drive(b: Bodies, g: Group, start: Mark = NO_MARK) -> Aside:
     """The link of a drive that is on the frame: about its hinge (from ``start``, where that does not exist yet), or by
     its guide."""
     pair = g.held_link_first_with_pairs[0][1]
@@ -64,7 +64,7 @@ def aside_of_drive(b: Bodies, g: Group, start: str = "") -> Aside:
     return Aside(b, link, first, shifted, b.link_axis_from_guide(pair, g.held_link, direction), pair.guide)
 
 
-def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> NamePair:
+def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> MarkPair:
     """Marks of a motor and of the hinge of the driven link: the second link is turned by the drive's angle."""
     b = aside.bodies
     first = aside.link.name
@@ -81,7 +81,7 @@ def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> NamePair:
     return elbow, aside.lay_off_point(hinge, elbow, arm, b.given_distance(second, motor.point, hinge))
 
 
-def hinge_mark_by_cylinder(aside: Aside, pair: Pair, hinge: str) -> str:
+def hinge_mark_by_cylinder(aside: Aside, pair: Pair, hinge: str) -> Mark:
     """The mark of the hinge of the driven link: a cylinder leads to it by its length."""
     b = aside.bodies
     d = b.draft

@@ -16,7 +16,7 @@ from planes.plans.position.tracks import (
 from planes.scene.mechanism import Assembly, Mechanism
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import full_mark_name
+from planes.words.names import scheme_mark
 
 ASSEMBLY_WORDS_BY_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "behind")}
 
@@ -80,7 +80,7 @@ def _point_places_by_side(
     b: Bodies, program: Program, choice: AssemblyChoice, point: str
 ) -> list[tuple[float, complex]]:
     """The places of the point for either side, in m; empty where it cannot be drawn."""
-    mark = full_mark_name("position", point)
+    mark = scheme_mark(point)
     sliced = program.cut_to_names([mark])
     places = []
     for side in (1.0, -1.0):
@@ -98,9 +98,7 @@ def _side_nearer_to_place(b: Bodies, program: Program, choice: AssemblyChoice, k
     places = _point_places_by_side(b, program, choice, point)
     if not places:
         try:
-            draw_program(
-                program.cut_to_names([full_mark_name("position", point)]), {**b.draft.given, "mu_position": 1000.0}
-            )
+            draw_program(program.cut_to_names([scheme_mark(point)]), {**b.draft.given, "mu_position": 1000.0})
         except PlanFailure as failure:
             raise SceneError(Phrase("near_not_drawn", key=key, failure=failure.phrase), b.file, line) from None
     if len(places) == 2 and places[0][1] == places[1][1]:
@@ -111,7 +109,7 @@ def _side_nearer_to_place(b: Bodies, program: Program, choice: AssemblyChoice, k
 
 def _deciding_point(b: Bodies, choice: AssemblyChoice, key: str) -> str:
     """The point that decides: for the key of a guide, one that moves with the choice."""
-    placed = full_mark_name("position", key) in b.draft.steps
+    placed = scheme_mark(key) in b.draft.steps
     if placed:
         return key
     return next(iter(_points_moving_with_choice(choice.group, b.mechanism)), key)

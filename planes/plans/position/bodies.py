@@ -21,14 +21,7 @@ from planes.plans.position.reckoned import (
 )
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name
-
-SCHEME_PLAN = "position"
-
-
-def scheme_mark(label: str) -> str:
-    """The full name of a mark of the scheme."""
-    return full_mark_name(SCHEME_PLAN, label)
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Mark, MarkPair, Meaning, NamePair, NamesByName, scheme_mark
 
 
 @frozen
@@ -102,10 +95,10 @@ class Bodies:
     choices: list[AssemblyChoice | TrackChoice] = field(default_factory=list)
     leads: dict[str, Leads] = field(default_factory=dict)  # of a basic link: the first two meet in S
     known: dict[str, Body] = field(default_factory=dict)
-    labels: dict[str, str] = field(default_factory=dict)
+    labels: NamesByName = field(default_factory=dict)
     placers: dict[Lead, Callable[[], None]] = field(default_factory=dict)  # of leads with a drive inside, drawn aside
     reach: BraceReach | None = None
-    specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
+    specials: NamesByName = field(default_factory=dict)  # basic link -> name of its point S
     standing: set[str] = field(default_factory=lambda: {FRAME})  # links that never move
     passive: tuple[Link, ...] = ()  # drawn by points of others
     coincident: dict[str, NamePair] = field(default_factory=dict)  # name -> (coincident point, link)
@@ -148,7 +141,7 @@ class Bodies:
                 self._draw_point(body, name, OwnPlace(body.link.name, name))
         self.known[body.link.name] = body
 
-    def _draw_point(self, body: Body, label: str, p: OwnPlace, means: Meaning | None = None) -> str:
+    def _draw_point(self, body: Body, label: str, p: OwnPlace, means: Meaning | None = None) -> Mark:
         if body.rigid and body.ref:
             one, two = (scheme_mark(s.place) for s in body.ref)
             return self.mark_by_similarity(scheme_mark(label), body, label, p, (one, two), means)
@@ -156,18 +149,18 @@ class Bodies:
         d = self.draft
         way = direction_between_points(self.link_dimensions, OwnPlace(p.link, base), p)
         ray = d.draw_turned_direction(f"{base}{label}", body.axis, way, Meaning("along", base, label))
-        d.rays[SCHEME_PLAN, base, label] = ray
+        d.rays[base, label] = ray
         return d.lay_off(
             SCHEME_PLAN, label, scheme_mark(base), ray, self.given_distance(body.link, base, label, p), means
         )
 
     def mark_by_similarity(
-        self, mark: str, body: Body, name: str, p: OwnPlace, ends: NamePair, means: Meaning | None = None
-    ) -> str:
+        self, mark: Mark, body: Body, name: str, p: OwnPlace, ends: MarkPair, means: Meaning | None = None
+    ) -> Mark:
         """The mark of a place of a rigid link, in the same ratio to the ``ends`` as to the points they represent."""
         assert body.ref
         like = dimension_by_way(self.link_dimensions, "ratio", p, *(OwnPlace(p.link, s.place) for s in body.ref))
-        return self.draft.add_step(
+        return self.draft.draw_mark(
             Similar(mark, *ends, self.draft.add_computed_given(f"ratio_{name}_{p.link}", like), means=means)
         )
 
@@ -182,14 +175,14 @@ class Bodies:
         """The distance between two places of a link: given if both are its points, else measured on the scheme."""
         if one.name in link.points and two.name in link.points:
             return self.given_distance(link, one.place, two.place)
-        return self.draft.measure_segment(f"l_{one.place}{two.place}", scheme_mark(one.place), scheme_mark(two.place))
+        return self.draft.measure_segment(f"l_{one.place}{two.place}", *SCHEME_PLAN.marks(one.place, two.place))
 
-    def guide_mark_and_direction(self, pair: Pair, known: str) -> NamePair:
+    def guide_mark_and_direction(self, pair: Pair, known: str) -> tuple[Mark, str]:
         """The line of a sliding pair on the solved link ``known``: a mark on it and its direction."""
         mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot_on_guide(pair)
         return mark, self.guide_direction_from_axis(pair, known, self.known[known].axis)
 
-    def _guide_mark(self, body: Body, name: str) -> str:
+    def _guide_mark(self, body: Body, name: str) -> Mark:
         guide = body.link.guides[name]
         label = guide.through_point or f"°{name}"
         if scheme_mark(label) not in self.draft.steps:
@@ -252,7 +245,7 @@ class Bodies:
             own,
         )
 
-    def shifted_mark(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
+    def shifted_mark(self, label: str, means: Meaning, start: Mark, direction: str, by: Dimension | None) -> Mark:
         """An auxiliary mark ``by`` metres to the left of a line through ``start`` (``start`` itself where that is
         zero)."""
         if by is None:
@@ -260,13 +253,13 @@ class Bodies:
         offset = self.draft.add_computed_given(f"e_{label}", by, Meaning("offset", label))
         return self.draft.lay_off(SCHEME_PLAN, label, start, self.draft.draw_perpendicular(direction), offset, means)
 
-    def mark_of_pair(self, pair: Pair) -> str:
+    def mark_of_pair(self, pair: Pair) -> Mark:
         """The mark where a pair acts: its hinge, or the foot of the perpendicular from the slider's first point."""
         if pair.kind == "R":
             return scheme_mark(pair.point)
         return self.foot_on_guide(pair)
 
-    def foot_on_guide(self, pair: Pair) -> str:
+    def foot_on_guide(self, pair: Pair) -> Mark:
         """The foot of the perpendicular from the slider's first point to the guide."""
         body = self.known[pair.link]
         first = scheme_mark(body.link.first_point)

@@ -10,7 +10,7 @@ from planes.drafting.steps.crossings import CrossArcs
 from planes.drafting.steps.reckoning import Drop, Product, SenseOf
 from planes.plans.assur.groups import Brace, Group, Pair
 from planes.plans.position.asides import Aside, aside_of_drive
-from planes.plans.position.bodies import SCHEME_PLAN, AssemblyChoice, Bodies, BraceReach, scheme_mark
+from planes.plans.position.bodies import AssemblyChoice, Bodies, BraceReach
 from planes.plans.position.driven_positions import (
     cylinder_distances_from_aside,
     place_hinge_on_stopped_drive,
@@ -18,7 +18,7 @@ from planes.plans.position.driven_positions import (
 )
 from planes.plans.position.positions import link_with_two_hinges
 from planes.plans.position.reckoned import OwnPlace, dimension_by_way
-from planes.words.names import Meaning, NamePair, mu_name
+from planes.words.names import SCHEME_PLAN, Mark, Meaning, NamePair, PlanId, scheme_mark
 
 
 def place_braced(b: Bodies, g: Group) -> None:
@@ -31,7 +31,7 @@ def place_braced(b: Bodies, g: Group) -> None:
     place()
 
 
-def _draw_braced_hinge_aside(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
+def _draw_braced_hinge_aside(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[Mark, Mark, BraceReach]:
     """The braced hinge and that of the driven link, drawn aside: two arcs meet at the cylinder's far hinge."""
     b, second = aside.bodies, link_with_two_hinges(aside.bodies, drive.link, drive.point, brace.far.point)
     d = b.draft
@@ -49,16 +49,16 @@ def _draw_braced_hinge_aside(aside: Aside, g: Group, drive: Pair, brace: Brace) 
     b.choices.append(AssemblyChoice(side, far, shape, False))
     helper = Meaning("guide", motor)
     pinned = scheme_mark(f"{far}°{aside.tag}")
-    pin = d.add_step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_name(SCHEME_PLAN), side, means=helper))
-    end = pin
+    d.add_step(CrossArcs(pinned, one[1], one[2], other[1], other[2], SCHEME_PLAN.mu_name, side, means=helper))
+    end = pinned
     if hinge != far:
         stands = dimension_by_way(b.link_dimensions, "ratio", *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
         like = d.add_computed_given(f"ratio_{hinge}_{second.name}", stands)
-        end = d.add_step(Similar(scheme_mark(f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
+        end = d.draw_mark(Similar(scheme_mark(f"{hinge}°{aside.tag}"), elbow, pinned, like, means=helper))
     return elbow, end, BraceReach(way, reach, length, offset is not None)
 
 
-def far_link_relative_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:
+def far_link_relative_rate(b: Bodies, plan: PlanId, name: str, drive: str, omega: str) -> str:
     """The angular velocity of the far link relative to the near one, from the ``drive``'s rate on a plan; for
     accelerations from ``omega`` too."""
     g = next(g for g in b.structure.class_two_groups if g.brace)
@@ -89,8 +89,8 @@ def _cylinder_arm_and_foot(b: Bodies, drive: Pair, brace: Brace, offset: bool) -
     d = b.draft
     near = brace.near.point
     far = brace.far.point
-    line = d.direction_between_marks(SCHEME_PLAN, near, far) if offset else f"∥{brace.slide.guide}"
+    line = d.direction_between_marks(near, far) if offset else f"∥{brace.slide.guide}"
     pin = scheme_mark(far)
     hinge = scheme_mark(drive.point)
-    arm = d.add_step(Drop(f"h_{near}{far}", pin, line, hinge, mu_name(SCHEME_PLAN)))
+    arm = d.add_step(Drop(f"h_{near}{far}", pin, line, hinge, SCHEME_PLAN.mu_name))
     return arm, d.measure_segment(f"d_{near}{far}", hinge, pin, line)

@@ -12,7 +12,7 @@ from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
 from planes.geometry.plane import greatest_distance
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.contours import Contour
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, scheme_mark
+from planes.plans.position.bodies import Bodies, Body, BodyPoint
 from planes.plans.position.positions import body_by_two_points, line_of_point_in_pair, place_slider
 from planes.plans.position.reckoned import OwnPlace, dimension_difference, direction_between_points
 from planes.plans.position.triads import (
@@ -23,7 +23,7 @@ from planes.plans.position.triads import (
     point_place_on_link,
     tie_of_lead,
 )
-from planes.words.names import Meaning, NamePair, mu_name
+from planes.words.names import NO_MARK, SCHEME_PLAN, Mark, Meaning, scheme_mark
 
 
 def place_contour(b: Bodies, g: Contour) -> None:
@@ -56,9 +56,9 @@ class _Aside:
         self.pivot = g.outer[0].point
         self.outer = g.outer[1]
         self.level = self.draft.draw_direction_at_angle("→", 0.0, Meaning("given", g.base))
-        self.like: NamePair = ("", "")  # marks of the figure and their places, each from the pivot
+        self.like = NO_MARK, NO_MARK  # marks of the figure and their places, each from the pivot
 
-    def mark(self, point: str) -> str:
+    def mark(self, point: str) -> Mark:
         """The mark of a point on the auxiliary figure."""
         return scheme_mark(f"{point}°{self.pivot}")
 
@@ -108,7 +108,7 @@ class _Aside:
         start, self.along = line_of_point_in_pair(b, self.outer, name, first)
         means = Meaning("offset", self.pivot, first)
         off = d.add_step(
-            Drop(f"e_{self.pivot}{guide}", scheme_mark(start), self.along, pivot, mu_name(SCHEME_PLAN), means=means)
+            Drop(f"e_{self.pivot}{guide}", scheme_mark(start), self.along, pivot, SCHEME_PLAN.mu_name, means=means)
         )
         turn = d.add_computed_given(f"guide_{guide}_{name}", b.guide_angle_in_link(self.outer, name))
         return Hold("guide", point_place_on_link(b, self.basic, first), pivot, off, turn)
@@ -141,13 +141,13 @@ class _Aside:
         name = f"x_{self.basic.name}°"
         return self.draft.add_step(CutTurn(name, point_place_on_link(self.bodies, self.basic, key), *cut, means=own))
 
-    def transfer_mark_to_true_place(self, label: str, aside: str, means: Meaning | None = None) -> str:
+    def transfer_mark_to_true_place(self, label: str, aside: Mark, means: Meaning | None = None) -> Mark:
         """A mark of the figure in its true place, by similarity."""
         start = scheme_mark(self.pivot)
         shape = (start, aside), (start, self.like[0]), (start, self.like[1])
-        return self.draft.add_step(Image(scheme_mark(label), start, *shape, means=means))
+        return self.draft.draw_mark(Image(scheme_mark(label), start, *shape, means=means))
 
-    def link_axis_in_true_direction(self, link: str, start: str, aside: str, along: str) -> str:
+    def link_axis_in_true_direction(self, link: str, start: Mark, aside: Mark, along: str) -> str:
         """A link's axis in its true direction, with its start mark there."""
         helper = Meaning("guide", link)
         end = self.draft.lay_off(

@@ -16,7 +16,7 @@ from planes.plans.position.asides import (
     hinge_mark_by_cylinder,
     marks_after_motor_turn,
 )
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, scheme_mark
+from planes.plans.position.bodies import Bodies, Body, BodyPoint
 from planes.plans.position.positions import (
     assembly_side_name,
     body_by_two_points,
@@ -27,14 +27,14 @@ from planes.plans.position.positions import (
     place_slider,
 )
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, NamePair, label_of
+from planes.words.names import NO_MARK, SCHEME_PLAN, Mark, Meaning, NamePair, scheme_mark
 
 
 @frozen
 class Way:
     """The tie of the driven hinge: a ``length`` from the mark ``start``, or a line ``along``."""
 
-    start: str
+    start: Mark
     length: str = ""
     along: str = ""
 
@@ -47,7 +47,7 @@ def place_driven_links(b: Bodies, g: Group) -> None:
     place()
 
 
-def tie_and_drawer_of_driven_hinge(b: Bodies, g: Group, start: str = "") -> tuple[Way, Callable[[], None]]:
+def tie_and_drawer_of_driven_hinge(b: Bodies, g: Group, start: Mark = NO_MARK) -> tuple[Way, Callable[[], None]]:
     """The drive's tie of the hinge it moves, drawn aside (from ``start``, where the fixed hinge does not exist yet);
     and the function that draws its links once the hinges exist."""
     assert g.drive
@@ -57,14 +57,14 @@ def tie_and_drawer_of_driven_hinge(b: Bodies, g: Group, start: str = "") -> tupl
     if pair.kind == "R":
         return tie_and_drawer_by_aside_mark(aside, g, *marks_after_motor_turn(aside, pair, hinge))
     if g.held_link_first_with_pairs[0][1].kind == "P":
-        return tie_and_drawer_by_aside_mark(aside, g, "", hinge_mark_by_cylinder(aside, pair, hinge))
+        return tie_and_drawer_by_aside_mark(aside, g, NO_MARK, hinge_mark_by_cylinder(aside, pair, hinge))
     pivot = aside.base
     ends = (pivot, hinge) if g.held_link == pair.other else (hinge, pivot)
     reach, offset, length = cylinder_distances_from_aside(aside, pair, ends, pivot)
 
     def place() -> None:
         means = Meaning("along", pair.guide)
-        marks = (scheme_mark(ends[0]), scheme_mark(ends[1]))
+        marks = SCHEME_PLAN.marks(ends[0], ends[1])
         way = b.draft.add_step(SenseOf(f"way_{pair.guide}", reach))
         line = b.draft.add_step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
         ref = BodyPoint(pivot, pivot), BodyPoint(hinge, coincident_point_name(b, pair.guide, hinge, g.held_link))
@@ -76,7 +76,7 @@ def tie_and_drawer_of_driven_hinge(b: Bodies, g: Group, start: str = "") -> tupl
     return Way(scheme_mark(pivot), length), place
 
 
-def tie_and_drawer_by_aside_mark(aside: Aside, g: Group, motor: str, end: str) -> tuple[Way, Callable[[], None]]:
+def tie_and_drawer_by_aside_mark(aside: Aside, g: Group, motor: Mark, end: Mark) -> tuple[Way, Callable[[], None]]:
     """The same for a hinge whose mark aside is ``end``; a ``motor`` leads to it, or none."""
     b = aside.bodies
     _, pair = g.held_link_first_with_pairs[0]
@@ -92,7 +92,7 @@ def place_hinge_on_stopped_drive(b: Bodies, g: Group, way: Way) -> None:
     """The hinge between the stopped drive, as one link, and the link it moves."""
     hinge = g.inner.point
     link, pair = g.held_link_first_with_pairs[1]
-    chains = {g.held_link: chain_through_start(hinge, label_of(way.start), way.length or None, way.along or None)}
+    chains = {g.held_link: chain_through_start(hinge, way.start.label, way.length or None, way.along or None)}
     chains[link] = chain_to_new_hinge(b, link, pair, hinge)
     one, two = (chains[x] for x in (g.links if g.kind == 1 else (g.first, g.last)))
     b.draft.draw_equation(
@@ -101,7 +101,7 @@ def place_hinge_on_stopped_drive(b: Bodies, g: Group, way: Way) -> None:
     place_link_by_hinge(b, link, pair, hinge, chains[link][-1].direction)
 
 
-def place_sliding_drive_links(aside: Aside, g: Group, end: str, motor: str) -> None:
+def place_sliding_drive_links(aside: Aside, g: Group, end: Mark, motor: Mark) -> None:
     """The links of a drive that slides on the frame: the auxiliary figure is shifted so that its hinge comes to
     ``end``. A ``motor`` turns the other link; a cylinder turns neither."""
     b = aside.bodies
@@ -110,7 +110,7 @@ def place_sliding_drive_links(aside: Aside, g: Group, end: str, motor: str) -> N
     assert pair
     mate = pair.other_link_of_pair(g.held_link)
     root = b.known[g.held_link_first_with_pairs[0][1].other_link_of_pair(g.held_link)].root
-    b.draft.add_step(Carry(scheme_mark(aside.base), scheme_mark(hinge), end, aside.start))
+    b.draft.add_step(Carry(*SCHEME_PLAN.marks(aside.base, hinge), end, aside.start))
     spot = BodyPoint(hinge, coincident_point_name(b, pair.guide, hinge, g.held_link))
     b.draw_missing_points(Body(aside.link, BodyPoint(aside.base, aside.base), aside.axis, root, moving=spot))
     place_link_by_hinge(
@@ -118,7 +118,7 @@ def place_sliding_drive_links(aside: Aside, g: Group, end: str, motor: str) -> N
     )
 
 
-def place_motor_joined_links(aside: Aside, g: Group, turning: str, end: str) -> None:
+def place_motor_joined_links(aside: Aside, g: Group, turning: Mark, end: Mark) -> None:
     """Two links with a motor in the hinge between them, by similarity with the auxiliary figure: there the motor is at
     ``turning``, and their other hinge at ``end``."""
     b = aside.bodies

@@ -5,12 +5,12 @@ from planes.drafting.steps.crossings import Touch
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME_PLAN, AssemblyChoice, Bodies, Body, BodyPoint, scheme_mark
+from planes.plans.position.bodies import AssemblyChoice, Bodies, Body, BodyPoint
 from planes.plans.position.reckoned import OwnPlace, dimension_difference, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE_LABEL, Meaning, NamePair, label_of
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Meaning, NamePair, scheme_mark
 
 
 def chain_through_start(
@@ -28,7 +28,7 @@ def line_of_point_in_pair(b: Bodies, pair: Pair, link: str, point: str) -> NameP
     shifted = b.shifted_mark(
         f"{point}°{pair.guide}", beside, mark, direction, b.point_offset_from_guide(pair, link, point)
     )
-    return label_of(shifted), direction
+    return shifted.label, direction
 
 
 def assembly_side_name(b: Bodies, key: str, group: Group | Triad | Contour) -> str:
@@ -61,7 +61,7 @@ def body_by_two_points(b: Bodies, name: str, one: str, two: str) -> Body:
     link = link_with_two_hinges(b, name, one, two)
     angle = direction_between_points(b.link_dimensions, OwnPlace(name, one), OwnPlace(name, two))
     axis = b.draft.draw_turned_direction(
-        f"x_{name}", b.draft.direction_between_marks(SCHEME_PLAN, one, two), -angle, Meaning("own", name)
+        f"x_{name}", b.draft.direction_between_marks(one, two), -angle, Meaning("own", name)
     )
     spots = BodyPoint(one, one), BodyPoint(two, two)
     return Body(link, spots[0], axis, name, spots, rigid=True)
@@ -108,7 +108,7 @@ def _place_rpr_dyad(b: Bodies, g: Group) -> None:
     )
     given = None if offset is None else b.draft.add_computed_given(f"e_{one}{two}", offset, Meaning("offset", one, two))
     side = b.reach.way if b.reach and b.structure.is_driving_cylinder(g) else assembly_side_name(b, pair.guide, g)
-    ends = scheme_mark(two), scheme_mark(one)
+    ends = SCHEME_PLAN.marks(two, one)
     means = Meaning("along", pair.guide)
     direction = b.draft.add_step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=means))
     ref = BodyPoint(two, two), BodyPoint(one, coincident_point_name(b, pair.guide, one, g.last))
@@ -142,7 +142,7 @@ def _place_rpp_dyad(b: Bodies, g: Group) -> None:
         b.point_offset_from_guide(g.inner, g.last, point), b.point_offset_from_guide(g.inner, g.first, hinge)
     )
     beside = Meaning("guide", g.inner.guide, point)
-    shifted = label_of(b.shifted_mark(f"{point}°{g.inner.guide}", beside, scheme_mark(hinge), inner, apart))
+    shifted = b.shifted_mark(f"{point}°{g.inner.guide}", beside, scheme_mark(hinge), inner, apart).label
     chains = chain_through_start(point, start, along=direction), chain_through_start(point, shifted, along=inner)
     b.draft.draw_equation(Equation(SCHEME_PLAN, chains, f"r_{point}"))
     root = b.known[g.last_outer.other_link_of_pair(g.last)].root

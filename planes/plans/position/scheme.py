@@ -3,7 +3,7 @@
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint
+from planes.plans.position.bodies import Bodies, Body, BodyPoint
 from planes.plans.position.braces import place_braced
 from planes.plans.position.contour_scheme import place_contour
 from planes.plans.position.driven_positions import place_driven_links
@@ -11,7 +11,7 @@ from planes.plans.position.positions import PLACERS_BY_DYAD_KIND, place_slider
 from planes.plans.position.slid_groups import BaseAside, place_slid_triad
 from planes.plans.position.triads import place_basic_chain, place_triad
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Meaning
 
 COINCIDENT_POINTS_RATIO = 1e-9  # relative: two points of a link closer than this coincide, and do not show its rotation
 

@@ -16,12 +16,12 @@ from planes.drafting.steps import Carry
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Pair
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, scheme_mark
+from planes.plans.position.bodies import Bodies, Body, BodyPoint
 from planes.plans.position.driven_positions import tie_and_drawer_of_driven_hinge
 from planes.plans.position.positions import chain_through_start, draw_meeting_point, line_of_point_in_pair, place_slider
 from planes.plans.position.reckoned import OwnPlace, dimension_difference, direction_between_points
 from planes.plans.position.triads import first_point_of_basic_link, place_lead
-from planes.words.names import Meaning, NamePair, label_of
+from planes.words.names import SCHEME_PLAN, Meaning, NamePair, scheme_mark
 
 
 def place_slid_triad(b: Bodies, g: Triad) -> None:
@@ -62,7 +62,7 @@ def _leg_to_basic_link(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -
     hinge = inner.point
     if lead.drive:
         way, b.placers[lead] = tie_and_drawer_of_driven_hinge(b, lead.as_inner_driven_dyad(basic))
-        start = mark_shifted_with_basic_link(b, basic, label_of(way.start), hinge, key, axis)
+        start = mark_shifted_with_basic_link(b, basic, way.start.label, hinge, key, axis)
         return chain_through_start(key, start, way.length or None, way.along or None)
     if outer.kind == "P":
         start, along = line_of_point_in_pair(b, outer, lead.link, hinge)
@@ -77,7 +77,7 @@ def _mark_shifted_across_guide(
     """A mark shifted across a guide by the difference of two offsets from it, each of a link's point."""
     apart = dimension_difference(b.point_offset_from_guide(pair, *one), b.point_offset_from_guide(pair, *other))
     helper = Meaning("guide", pair.guide, one[1])
-    return label_of(b.shifted_mark(label, helper, scheme_mark(start), along, apart))
+    return b.shifted_mark(label, helper, scheme_mark(start), along, apart).label
 
 
 def mark_shifted_with_basic_link(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: str) -> str:
@@ -88,10 +88,10 @@ def mark_shifted_with_basic_link(b: Bodies, basic: str, start: str, hinge: str, 
         return start
     turned = direction_between_points(b.link_dimensions, OwnPlace(basic, hinge), OwnPlace(basic, key))
     ray = d.draw_turned_direction(f"{hinge}{key}", axis, turned, Meaning("along", hinge, key))
-    d.rays[SCHEME_PLAN, hinge, key] = ray
+    d.rays[hinge, key] = ray
     label = f"{start}°{key}"
     length = b.given_distance(link, hinge, key)
-    return label_of(d.lay_off(SCHEME_PLAN, label, scheme_mark(start), ray, length, Meaning("moved", start, key)))
+    return d.lay_off(SCHEME_PLAN, label, scheme_mark(start), ray, length, Meaning("moved", start, key)).label
 
 
 class BaseAside:
@@ -130,7 +130,7 @@ class BaseAside:
                 f"r_{key}",
             )
         )
-        d.add_step(Carry(scheme_mark(self.first), scheme_mark(key), scheme_mark(aside), scheme_mark(self.start)))
+        d.add_step(Carry(*SCHEME_PLAN.marks(self.first, key), *SCHEME_PLAN.marks(aside, self.start)))
         place_slider(b, g.outer[0], g.base, self.first, self.along)
         place_slider(b, g.outer[1], g.basic, key, way)
         for lead in g.leads:
@@ -182,4 +182,4 @@ class BaseAside:
         ray = d.draw_turned_direction(f"→{self.first}{point}", self.axes[base], turned, Meaning("given", self.first))
         length = b.given_distance(self.base, self.first, point)
         helper = Meaning("guide", point)
-        return label_of(d.lay_off(SCHEME_PLAN, f"{point}°{self.first}", scheme_mark(self.start), ray, length, helper))
+        return d.lay_off(SCHEME_PLAN, f"{point}°{self.first}", scheme_mark(self.start), ray, length, helper).label

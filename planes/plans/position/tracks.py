@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING
 
 from planes.drafting.drawing import draw_program
 from planes.drafting.program import Program
-from planes.drafting.steps.tracks import CutTrack
+from planes.drafting.steps.tracks import TrackStep
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real
 from planes.geometry.plane import greatest_distance
 from planes.geometry.tracks import Pose, Tie, newton_step
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
-from planes.plans.position.bodies import SCHEME_PLAN, AssemblyChoice, Bodies, TrackChoice, scheme_mark
+from planes.plans.position.bodies import AssemblyChoice, Bodies, TrackChoice
 from planes.plans.position.branch import Branch, follow_branch
 from planes.scene.mechanism import Assembly
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import mu_name
+from planes.words.names import SCHEME_PLAN, scheme_mark
 
 if TYPE_CHECKING:
     from planes.geometry.sextic import Counted
@@ -53,7 +53,7 @@ class Tracks:
 
     def ties_at_drive_position(self, value: Real) -> list[Tie]:
         """The leads at a position of the drive, in m."""
-        given = {**self.bodies.draft.given, mu_name(SCHEME_PLAN): 1.0, self.choice.guess.drive: value}
+        given = {**self.bodies.draft.given, SCHEME_PLAN.mu_name: 1.0, self.choice.guess.drive: value}
         things = draw_program(self.program, given).things
         return [hold.lead_tie(things, 1.0, Arithmetic()) for hold in self.choice.holds]
 
@@ -81,7 +81,7 @@ class Tracks:
         )
         mark = scheme_mark(point)
         program = Program(tuple(self.bodies.draft.steps.values())).cut_to_names([mark])
-        return complex(draw_program(program, {**self.bodies.draft.given, mu_name(SCHEME_PLAN): 1.0})[mark])
+        return complex(draw_program(program, {**self.bodies.draft.given, SCHEME_PLAN.mu_name: 1.0})[mark])
 
     def sense_of_lead_lines(self, pose: Pose) -> float:
         """The sense of the leads' lines about each other."""
@@ -103,7 +103,7 @@ class Tracks:
             d.given |= dict(zip(names, terms, strict=True))
         guess = replace(old, places=places, turns=tuple(turned))
         for name, step in d.steps.items():
-            if isinstance(step, CutTrack) and step.holds == self.choice.holds:
+            if isinstance(step, TrackStep) and step.holds == self.choice.holds:
                 d.steps[name] = replace(step, guess=guess)
 
     def choose_pose(self, pose: Pose) -> None:

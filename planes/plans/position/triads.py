@@ -11,12 +11,12 @@ from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour, Tracked
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, TrackChoice, scheme_mark
+from planes.plans.position.bodies import Bodies, Body, BodyPoint, TrackChoice
 from planes.plans.position.driven_positions import tie_and_drawer_of_driven_hinge
 from planes.plans.position.positions import body_by_two_points, line_of_point_in_pair, place_slider
 from planes.plans.position.reckoned import OwnPlace, dimension_by_way, dimension_difference
 from planes.scene.mechanism import Link
-from planes.words.names import Meaning, mu_name
+from planes.words.names import NO_MARK, SCHEME_PLAN, Mark, Meaning, scheme_mark
 
 Holds = tuple[Hold, ...]
 Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic link
@@ -61,7 +61,7 @@ def cut_of_basic_link_tracks(b: Bodies, g: Tracked, key: str, holds: Holds) -> C
     guess = SeriesGuess(drive.coordinate_name, drive.rotates, middle, half, size, (place,), ((turn,),))
     side = d.add_given(f"sense_{g.basic}", 1.0)
     b.choices.append(TrackChoice(key, g, holds, guess, side))
-    return holds, guess, mu_name(SCHEME_PLAN), side
+    return holds, guess, SCHEME_PLAN.mu_name, side
 
 
 def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
@@ -79,7 +79,7 @@ def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
         place_slider(b, inner, lead.link, outer.point, along)
 
 
-def tie_of_lead(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold:
+def tie_of_lead(b: Bodies, basic: str, lead: Lead, hinge: Mark | None = None) -> Hold:
     """The tie of a lead on the basic link, from its outer ``hinge`` (from the auxiliary figure, where that is drawn
     aside)."""
     d = b.draft
@@ -90,7 +90,7 @@ def tie_of_lead(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> 
     if inner.kind == "R":
         local = point_place_on_link(b, link, inner.point)
         if lead.drive:
-            way, b.placers[lead] = tie_and_drawer_of_driven_hinge(b, lead.as_inner_driven_dyad(basic), hinge or "")
+            way, b.placers[lead] = tie_and_drawer_of_driven_hinge(b, lead.as_inner_driven_dyad(basic), hinge or NO_MARK)
             if way.length:
                 return Hold("arc", local, place, way.length)
             return Hold("line", local, way.start, "", way.along)

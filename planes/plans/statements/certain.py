@@ -11,7 +11,7 @@ from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.stated_vectors import StatedVectors, VectorState
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.words import Phrase
-from planes.words.names import NameTriple, NumbersByName, mu_name, plan_of
+from planes.words.names import NameTriple, NumbersByName
 
 CLOSED_GAP_RATIO = 1e-4  # of the largest vector: the number of digits in given numbers
 LEAST_CERTAIN_RATIO = 1e-6  # of the largest vector of a plan: larger ones exceed rounding
@@ -58,7 +58,7 @@ class Closings:
 
     def _vector_value(self, drawing: Drawing, name: str) -> complex:
         start, end = self.vectors.end_marks(name)
-        return complex((drawing[end] - drawing[start]) / drawing[mu_name(plan_of(start))])
+        return complex((drawing[end] - drawing[start]) / drawing[start.plan.mu_name])
 
 
 def _closing_gap(drawing: Drawing, value: complex, given: VectorState) -> float:
@@ -92,7 +92,5 @@ def _vanishes_on_plan(vectors: StatedVectors, drawing: Drawing, name: str) -> bo
     start, end = vectors.end_marks(name)
     if start not in drawing or end not in drawing:
         return False
-    largest = max(
-        abs(drawing[s.makes]) for s in drawing.program.mark_steps_by_plan[plan_of(start)] if s.makes in drawing
-    )
+    largest = max(abs(drawing[s.makes]) for s in drawing.program.mark_steps_by_plan[start.plan] if s.makes in drawing)
     return bool(abs(drawing[end] - drawing[start]) <= LEAST_CERTAIN_RATIO * largest)

@@ -10,7 +10,6 @@ from planes.plans.statements.stated_vectors import StatedVectors
 from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import mu_name
 
 SAME_DIRECTION_DEG = 1e-5  # degrees: touching arcs have one direction, found twice, the root of a rounding error apart
 Ways = dict[str, float]  # directions by the vectors' names, degrees
@@ -51,7 +50,7 @@ def _directions_on_side(vectors: StatedVectors, names: list[str], side: str, sig
     spans = {n: vectors.end_marks(n) for n in names}
     d = vectors.draft
     program = Program(tuple(d.steps.values())).cut_to_names(m for s in spans.values() for m in s)
-    given = {**d.given, **{mu_name(plan): 1.0 for plan in program.mark_steps_by_plan}, side: sign}
+    given = {**d.given, **{plan.mu_name: 1.0 for plan in program.mark_steps_by_plan}, side: sign}
     try:
         drawing = draw_program(program, given)
     except PlanFailure:

@@ -4,6 +4,7 @@ from planes.plans import Plans, plans_cut_to_names, plans_of
 from planes.plans.other_leads import plans_with_sharp_leads
 from planes.plans.quantities import Quantity, quantities_asked_for
 from planes.scene import Scene
+from planes.words.names import SCHEME_PLAN, NameTuple
 
 
 def scene_plans(scene: Scene) -> Plans:
@@ -21,7 +22,7 @@ def scene_plans(scene: Scene) -> Plans:
     return plans
 
 
-def names_to_find(scene: Scene) -> tuple[str, ...]:
+def names_to_find(scene: Scene) -> NameTuple:
     """The entries of ``find:``, in any spelling, by the names of the program."""
     return tuple(q.name for q in quantities_asked_for(scene_plans(scene), scene.find or (), scene.file))
 
@@ -39,5 +40,5 @@ def plans_fitted_at_position(
 
 def plans_cut_to_results(plans: Plans, wanted: list[Quantity], shown: Plans | None) -> tuple[Plans, list[Quantity]]:
     """The plans cut to the wanted results, and to the scheme for what is ``shown``; and these results."""
-    scheme = [step.makes for step in shown.program.mark_steps_by_plan.get("position", ())] if shown else []
+    scheme = [step.makes for step in shown.program.mark_steps_on(SCHEME_PLAN)] if shown else []
     return plans_cut_to_names(plans, [*(n for q in wanted for n in q.needed_names), *scheme]), wanted

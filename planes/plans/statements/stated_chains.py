@@ -8,7 +8,7 @@ from planes.drafting.steps import Image, Similar
 from planes.plans.statements.stated_vectors import StatedVectors
 from planes.scene.vector_equations import Side, SideTerm, rate_vector_end_marks, term_end_marks
 from planes.scene.vectors import Similarity
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_of, vector_end_label
+from planes.words.names import NO_MARK, NO_PLAN, POLE_LABEL, Mark, PlanId, vector_end_label
 
 MOST_REORDERED_VECTORS = 5  # vectors that are tried in every order
 
@@ -20,23 +20,25 @@ class Chains:
         self.vectors = vectors
         self.draft = vectors.draft
         self.labels: dict[str, set[str]] = {}
-        self.plan = ""
+        self.plan = NO_PLAN
         self.stated: dict[str, SideTerm] = {}
 
-    def plan_and_chains(self, plan: str, one: Side, two: Side, total: str | None) -> tuple[str, tuple[Chain, Chain]]:
+    def plan_and_chains(
+        self, plan: PlanId, one: Side, two: Side, total: str | None
+    ) -> tuple[PlanId, tuple[Chain, Chain]]:
         """The plan and both chains of an equation; in a closed polygon one open vector is drawn from the far end.
         Vectors that already lie end to end on a plan are read there."""
         lying = self._known_vectors_end_to_end(one + two)
-        self.plan = plan_of(lying[0]) if lying else plan
+        self.plan = lying[0].plan if lying else plan
         self.stated = {}
         self.labels.setdefault(self.plan, {POLE_LABEL})
         self.draft.draw_pole(self.plan)
         if lying:
             one, two = (tuple(sorted(side, key=self._place_among_lying_vectors(lying))) for side in (one, two))
-        start = label_of(lying[0]) if lying else self._start_mark(one, two)
+        start = lying[0].label if lying else self._start_mark(one, two)
         return self.plan, self._both_chains(one, two, total, start)
 
-    def _known_vectors_end_to_end(self, terms: Side) -> list[str]:
+    def _known_vectors_end_to_end(self, terms: Side) -> list[Mark]:
         """The start of the known vectors, if they lie end to end on one plan; else None."""
         known = [t for t in terms if not self.has_unknown_part(t)]
         spans = [self.vectors.states[t.name].span for t in known]
@@ -47,7 +49,7 @@ class Chains:
                 return [start for start, _ in way]
         return []
 
-    def _place_among_lying_vectors(self, lying: list[str]) -> Callable[[SideTerm], int]:
+    def _place_among_lying_vectors(self, lying: list[Mark]) -> Callable[[SideTerm], int]:
         """The place of a vector among those; the others come after them."""
 
         def place(term: SideTerm) -> int:
@@ -84,8 +86,8 @@ class Chains:
         for side in (s for s in (one, two) if s):
             first = side[0]
             span = self.vectors.states[first.name].span
-            if span and span[0].startswith(full_mark_name(self.plan, "")) and first.times == 1:
-                return label_of(span[0])
+            if span and span[0].plan == self.plan and first.times == 1:
+                return span[0].label
             named = rate_vector_end_marks(first.name)
             if named and first.times == 1 and named[0] in self.labels[self.plan]:
                 return named[0]
@@ -120,10 +122,10 @@ class Chains:
         sign = 1 if stated.times > 0 else -1
         state = v.states[name]
         like = v.given_data(name).like
-        span = state.span or ("", "")
-        here = full_mark_name(self.plan, mark)
+        span = state.span or (NO_MARK, NO_MARK)
+        here = self.plan.mark(mark)
         if abs(stated.times) == 1 and here == span[0 if sign > 0 else 1]:
-            return Term(name, mark, label_of(span[1 if sign > 0 else 0]), drawn=True, sign=sign)
+            return Term(name, mark, span[1 if sign > 0 else 0].label, drawn=True, sign=sign)
         end = target or self._end_label(stated, mark)
         if here == span[0]:
             self._draw_similar_vector(end, *span, complex(stated.times), f"ratio_{stated.term_text}")
@@ -159,20 +161,20 @@ class Chains:
         name = stated.name
         v.used |= {like.of, *(like.shape or ())}
         drawn = stated.times == 1 and all(map(v.is_drawn, (like.of, *(like.shape or ()))))
-        ends = v.end_marks(like.of) if drawn else ("", "")
+        ends = v.end_marks(like.of) if drawn else (NO_MARK, NO_MARK)
         if drawn and like.shape:
             one, two = map(v.end_marks, like.shape)
             v.leaned |= dict.fromkeys(like.shape, name)
-            self.draft.add_step(Image(full_mark_name(self.plan, end), full_mark_name(self.plan, mark), one, two, ends))
+            self.draft.add_step(Image(*self.plan.marks(end, mark), one, two, ends))
             return True
-        if drawn and ends[0] == full_mark_name(self.plan, mark):
+        if drawn and ends[0] == self.plan.mark(mark):
             self._draw_similar_vector(end, *ends, like.ratio, f"ratio_{name}")
             return True
         v.transfer_by_similarity(name, like)
         return False
 
-    def _draw_similar_vector(self, end: str, start: str, stop: str, ratio: complex, name: str) -> None:
-        self.draft.add_step(Similar(full_mark_name(self.plan, end), start, stop, self.draft.add_given(name, ratio)))
+    def _draw_similar_vector(self, end: str, start: Mark, stop: Mark, ratio: complex, name: str) -> None:
+        self.draft.add_step(Similar(self.plan.mark(end), start, stop, self.draft.add_given(name, ratio)))
 
     def _end_label(self, stated: SideTerm, mark: str) -> str:
         """The end mark of a vector: by its name, else a mark of the vector's name."""

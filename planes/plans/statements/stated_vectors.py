@@ -15,15 +15,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vector_equations import SideTerm
 from planes.scene.vectors import AlongVector, Amount, Similarity, Statement, VectorGiven
-from planes.words.names import (
-    Meaning,
-    NamePair,
-    NameTriple,
-    NameTuple,
-    full_mark_name,
-    split_value_name,
-    vector_end_label,
-)
+from planes.words.names import MarkPair, Meaning, NamesByName, NameTriple, NameTuple, split_value_name, vector_end_label
 
 _POINT_PAIR_PATTERN = re.compile(r"([^\W\d_]\d*)([^\W\d_]\d*)")
 _MEANING_BY_COMPONENT = {"n": "normal", "k": "coriolis"}
@@ -36,7 +28,7 @@ class VectorState:
 
     length: str | None = None
     direction: str | None = None
-    span: NamePair | None = None
+    span: MarkPair | None = None
 
 
 class StatedVectors:
@@ -46,9 +38,9 @@ class StatedVectors:
         self.statement = statement
         self.draft = Draft()
         self.states: dict[str, VectorState] = {}
-        self.values: dict[str, str] = {}
+        self.values: NamesByName = {}
         self.used: set[str] = set()
-        self.leaned: dict[str, str] = {}  # those whose direction or quotient is taken, by the user of it
+        self.leaned: NamesByName = {}  # those whose direction or quotient is taken, by the user of it
         self.quotients: list[NameTriple] = []  # the dividend, the divisor, and the name of that number
 
     def given_data(self, name: str) -> VectorGiven:
@@ -59,7 +51,7 @@ class StatedVectors:
         """Whether a vector has been drawn."""
         return name in self.states and self.states[name].span is not None
 
-    def end_marks(self, name: str) -> NamePair:
+    def end_marks(self, name: str) -> MarkPair:
         """The end marks of a drawn vector."""
         span = self.states[name].span
         assert span is not None
@@ -235,7 +227,7 @@ class StatedVectors:
         """From now on the vectors of an equation are on its plan."""
         for term in equation.all_terms:
             stated = terms.get(term.name)
-            ends = full_mark_name(equation.plan, term.start), full_mark_name(equation.plan, term.end)
+            ends = equation.plan.marks(term.start, term.end)
             ends = ends if term.sign > 0 else ends[::-1]
             if stated is None or self.is_drawn(stated.name):
                 continue
@@ -248,17 +240,14 @@ class StatedVectors:
                 state.length = term.name
         if equation.total and not self.is_drawn(equation.total):
             chain = equation.chains[0] or equation.chains[1]
-            self.states[equation.total].span = (
-                full_mark_name(equation.plan, chain[0].start),
-                full_mark_name(equation.plan, chain[-1].end),
-            )
+            self.states[equation.total].span = equation.plan.marks(chain[0].start, chain[-1].end)
 
-    def _draw_undivided_vector(self, equation: Equation, term: Term, stated: SideTerm, ends: NamePair) -> None:
+    def _draw_undivided_vector(self, equation: Equation, term: Term, stated: SideTerm, ends: MarkPair) -> None:
         """A vector with a known multiple: the vector itself is drawn as well."""
         state = self.states[stated.name]
         label = vector_end_label(stated.name) + "″"
         ratio = self.draft.add_given(f"ratio_{stated.name}", complex(1 / abs(stated.times)))
-        state.span = ends[0], self.draft.add_step(Similar(full_mark_name(equation.plan, label), *ends, ratio))
+        state.span = ends[0], self.draft.draw_mark(Similar(equation.plan.mark(label), *ends, ratio))
         self.draft.name_segment(equation.plan, term.start if term.sign > 0 else term.end, label, stated.name)
 
 

@@ -14,14 +14,14 @@ from planes.plans.record import STILL_DRIVE_GIVEN, Plans
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words.frozen import replace
-from planes.words.names import NamePair
+from planes.words.names import MarkPair
 
 
 def plans_of_still_draft(
     d: Draft,
     mechanism: Mechanism,
     acting: Loads,
-    vectors: Mapping[str, NamePair],
+    vectors: Mapping[str, MarkPair],
     values: Mapping[str, str],
     figure: StaticsFigure | None = None,
 ) -> Plans:

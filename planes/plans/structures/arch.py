@@ -6,10 +6,9 @@ from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.free_body import FreeBody
 from planes.scene.structures import Support
-from planes.words.names import POLE_LABEL, NamePair, vector_end_label
+from planes.words.names import POLE_LABEL, NamePair, scheme_mark, vector_end_label
 
 
 @dataclass
@@ -47,7 +46,7 @@ class Arch:
 
     def line_of_both_hinges(self, s: Support) -> str:
         """The line of a body's two hinges."""
-        return self.first.draft.direction_between_marks(SCHEME_PLAN, s.point, self.crown.point)
+        return self.first.draft.direction_between_marks(s.point, self.crown.point)
 
     def springing_and_cross_component(self, body: FreeBody) -> tuple[Support, Force]:
         """A body's hinge on the ground, and the component of its reaction across the line of both hinges."""

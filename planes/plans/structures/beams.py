@@ -1,18 +1,18 @@
 """Shear forces and bending moments of a straight beam from its string polygon: every ordinate between the strings and
 the closing line is a bending moment over the pole distance, and the rays divide the force polygon into shear forces."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.plans.structures.strings import STRING_POLE_LETTER, StringPolygon
 from planes.scene.structures import Framework
-from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name
+from planes.words.names import POLE_LABEL, Mark, Meaning, NamePair, NameTriple, scheme_mark
 
-Moment = tuple[str, str]
-Shear = tuple[str, str, str]
+Moment = NamePair
+Shear = NameTriple
 MOST_SQUARE_LOAD_COSINE = 1e-9  # the cosine of the angle between a beam and its loads
 
 
@@ -61,7 +61,7 @@ class StraightBeam:
         d = b.draft
         anchor = b.hinge_or_clamp
         assert anchor
-        axis = d.direction_between_marks(SCHEME_PLAN, anchor.point, b.supports_with_known_lines[0].point)
+        axis = d.direction_between_marks(anchor.point, b.supports_with_known_lines[0].point)
         knots = polygon.knots
         ends = [POLE_LABEL, *(t.end for t in b.chain)]
         bases = [
@@ -84,24 +84,18 @@ class StraightBeam:
                 end = ends[self.loads_before_place(middle)]
                 name = f"Q_{one}{other}"
                 shears.append(
-                    (
-                        one,
-                        other,
-                        d.measure_segment(
-                            name, full_mark_name(b.plan, base), full_mark_name(b.plan, end), d.draw_perpendicular(axis)
-                        ),
-                    )
+                    (one, other, d.measure_segment(name, *b.plan.marks(base, end), d.draw_perpendicular(axis)))
                 )
         return moments, shears
 
-    def bending_moment_at_point(self, point: str, polygon: StringPolygon, bases: list[Shear], axis: str) -> str:
+    def bending_moment_at_point(
+        self, point: str, polygon: StringPolygon, bases: Sequence[tuple[str, str, Mark]], axis: str
+    ) -> str:
         """The bending moment at a point: the pole distance times the ordinate between base and string."""
         b = self.body
         d = b.draft
         where = self.relative_distance_along(self.framework.points[point])
-        pole = d.measure_segment(
-            "N_H", full_mark_name(b.plan, STRING_POLE_LETTER), full_mark_name(b.plan, POLE_LABEL), axis
-        )
+        pole = d.measure_segment("N_H", b.plan.mark(STRING_POLE_LETTER), b.plan.pole, axis)
         across = d.draw_perpendicular(axis)
         _, ray, knot = bases[self.beam_part_at(where)]
         passed = self.loads_before_place(where)
@@ -109,7 +103,7 @@ class StraightBeam:
         marks = []
         for k, through, line in (("·", knot, ray), ("··", polygon.knots[passed], polygon.rays[passed])):
             mark = b.unused_mark(f"{point}{k}")
-            marks.append(d.add_step(Meeting(mark, spot, across, through, line, means=Meaning("foot"))))
+            marks.append(d.draw_mark(Meeting(mark, spot, across, through, line, means=Meaning("foot"))))
         height = d.measure_segment(f"y_{point}", marks[0], marks[1], across)
         sign = 1.0 if (self.axis_vector.real, self.axis_vector.imag) > (0.0, 0.0) else -1.0
         return d.add_product(f"M_{point}", sign, **{pole: 1, height: 1})

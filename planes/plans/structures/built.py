@@ -5,10 +5,10 @@ from functools import cached_property
 
 from planes.drafting.drawing import draw_program
 from planes.drafting.program import Program
+from planes.drafting.steps import MarkStep
 from planes.drafting.steps.reckoning import Pull
 from planes.geometry.plane import sine_between
 from planes.plans.force.loads import Force, Loads
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.record import Plans
 from planes.plans.scales import unit_scales_of_plans
 from planes.plans.statements.still import plans_of_still_draft
@@ -24,7 +24,7 @@ from planes.scene.structures import ONLY_BODY_NAME, Framework, Support
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
-from planes.words.names import Meaning, NamePair, force_plan_name, full_mark_name, mu_name, plan_of
+from planes.words.names import NO_MARK, NO_PLAN, MarkPair, Meaning, NamePair, PlanId, scheme_mark
 
 REVERSED_FORCE_SUFFIX = "'"  # suffix of a hinge's force on the body found later
 
@@ -124,10 +124,10 @@ class FrameworkBuilder(StatedLoads):
 
     def solve(self, name: str) -> None:
         """The plan of a body, and its reactions on the bodies it hangs on."""
-        plan = force_plan_name(*([name] if len(self.framework.bodies) > 1 else []))
+        plan = PlanId("force", *([name] if len(self.framework.bodies) > 1 else []))
         body = self.draw_single_body(name, plan, self.supports_of(name))
         WayFinder(self.scene, self.framework, body, self.sizes, self.turning).find_all_reactions()
-        self.spans |= {n: (full_mark_name(plan, a), full_mark_name(plan, b)) for n, (a, b) in body.found.items()}
+        self.spans |= {n: plan.marks(a, b) for n, (a, b) in body.found.items()}
         if body.hinge_or_clamp and body.hinge_or_clamp.kind == "clamp":
             self.values[f"M_{body.hinge_or_clamp.point}"] = f"M_{body.hinge_or_clamp.point}"
         for s in self.unsolved_hinges_of_body(name):
@@ -136,7 +136,7 @@ class FrameworkBuilder(StatedLoads):
             self.forces[other].append(self.reaction_on_body(s, other, size, REVERSED_FORCE_SUFFIX))
             self.sizes[s.name + REVERSED_FORCE_SUFFIX] = -self.measured_reaction(s.name)
 
-    def draw_single_body(self, name: str, plan: str, supports: list[Support]) -> FreeBody:
+    def draw_single_body(self, name: str, plan: PlanId, supports: list[Support]) -> FreeBody:
         """A single body."""
         return FreeBody(self.draft, self.figure, name, plan, self.forces[name], self.couples[name], supports)
 
@@ -154,10 +154,10 @@ class FrameworkBuilder(StatedLoads):
         a, c, b = (self.framework.points[x] for x in flat)
         if sine_between(a - c, b - c) <= PARALLEL_LINES_SINE:
             raise self.error(Phrase("arch_flat", names=tuple(flat)), "points")
-        plan = force_plan_name(*(names if len(self.framework.bodies) > 2 else []))
+        plan = PlanId("force", *(names if len(self.framework.bodies) > 2 else []))
         one, two = (self.draw_single_body(x, plan, own) for x, own in zip(names, held, strict=True))
         spans = Arch(one, two, Support("hinge", point, f"R_{point}")).draw_arch_plan()
-        self.spans |= {n: (full_mark_name(plan, start), full_mark_name(plan, end)) for n, (start, end) in spans.items()}
+        self.spans |= {n: plan.marks(start, end) for n, (start, end) in spans.items()}
         self.left = [x for x in self.left if x not in names]
 
     def reaction_on_body(self, s: Support, body: str, size: str, beside: str = "") -> Force:
@@ -214,22 +214,19 @@ class FrameworkBuilder(StatedLoads):
             figure=self.figure,
         )
 
-    def load_end_marks(self, name: str) -> NamePair:
+    def load_end_marks(self, name: str) -> MarkPair:
         """The end marks of a load."""
         terms = ((e.plan, t) for e in self.draft.equations for t in e.all_terms if t.name == name)
-        plan, term = next(terms, ("", None))
+        plan, term = next(terms, (NO_PLAN, None))
         if term:
-            return (full_mark_name(plan, term.start), full_mark_name(plan, term.end))
-        return ("", "")
+            return plan.marks(term.start, term.end)
+        return (NO_MARK, NO_MARK)
 
-    def resultants_of_plans(self) -> Iterator[tuple[str, NamePair]]:
+    def resultants_of_plans(self) -> Iterator[tuple[str, MarkPair]]:
         """The resultants of whole plans."""
         for e in self.draft.equations:
             if e.total:
-                yield (
-                    e.total,
-                    (full_mark_name(e.plan, e.chains[0][0].start), full_mark_name(e.plan, e.chains[0][-1].end)),
-                )
+                yield (e.total, e.plan.marks(e.chains[0][0].start, e.chains[0][-1].end))
 
     def refuse_undrawable_figures(self, plans: Plans) -> Plans:
         """Refuse figures that cannot be drawn, and ropes that would have to push; where loads turn, that is for each
@@ -241,11 +238,11 @@ class FrameworkBuilder(StatedLoads):
                 raise self.error(Phrase("about", what=Phrase("the_scene"), why=failure.phrase), "method") from None
         return plans
 
-    def require_rope_tension(self, s: Support) -> None:
+    def require_rope_tension(self, rope: Support) -> None:
         """Hold a rope to pulling in every position."""
         d = self.draft
-        start, end = self.spans[s.name]
-        plan = plan_of(start)
-        along = d.direction_between_marks(SCHEME_PLAN, s.point, s.to)
-        beside = tuple(name for name, step in d.steps.items() if step.kind == "mark" and plan_of(name) == plan)
-        d.add_step(Pull(f"pull_{s.point}{s.to}", start, end, along, mu_name(plan), s.point + s.to, beside))
+        start, end = self.spans[rope.name]
+        plan = start.plan
+        along = d.direction_between_marks(rope.point, rope.to)
+        beside = tuple(s.makes for s in d.steps.values() if isinstance(s, MarkStep) and s.plan == plan)
+        d.add_step(Pull(f"pull_{rope.point}{rope.to}", start, end, along, plan.mu_name, rope.point + rope.to, beside))

@@ -12,10 +12,19 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.geometry.plane import sine_between
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
-from planes.words.names import CREMONA_PLAN, Meaning, NamePair, NameTuple, full_mark_name
+from planes.words.names import (
+    CREMONA_PLAN,
+    NO_MARK,
+    SCHEME_PLAN,
+    Mark,
+    Meaning,
+    NamePair,
+    NamesByName,
+    NameTuple,
+    scheme_mark,
+)
 
 PARALLEL_MEMBERS_SINE = 1e-6  # the sine of the angle below which members are parallel
 
@@ -29,7 +38,7 @@ class CremonaPlan:
     regions: Regions
     outer: Mapping[str, Force]  # external forces by name
     drawn: list[str] = field(default_factory=list)
-    joints: dict[str, str] = field(default_factory=dict)  # mark -> its joint
+    joints: NamesByName = field(default_factory=dict)  # mark -> its joint
     cuts: dict[str, NameTuple] = field(default_factory=dict)  # members found by a cut -> all members cut
 
     def draw_cremona_plan(self) -> list[str]:
@@ -92,19 +101,11 @@ class CremonaPlan:
         pairs.sort(key=lambda p: not {*p[0][0]} & {*p[1][0]})
         for (one, start), (two, other) in pairs[:1]:
             joint = next(iter({*one} & {*two}), "")
-            self.joints[full_mark_name(CREMONA_PLAN, region)] = joint
+            self.joints[CREMONA_PLAN.mark(region)] = joint
             if joint and self.draw_joint_polygon_for_region(joint, region):
                 continue
-            along, across = (self.draft.direction_between_marks(SCHEME_PLAN, *m) for m in (one, two))
-            self.draft.add_step(
-                Cross(
-                    full_mark_name(CREMONA_PLAN, region),
-                    full_mark_name(CREMONA_PLAN, start),
-                    along,
-                    full_mark_name(CREMONA_PLAN, other),
-                    across,
-                )
-            )
+            along, across = (self.draft.direction_between_marks(*m) for m in (one, two))
+            self.draft.add_step(Cross(*CREMONA_PLAN.marks(region, start), along, CREMONA_PLAN.mark(other), across))
         return bool(pairs)
 
     def draw_joint_polygon_for_region(self, joint: str, region: str) -> bool:
@@ -127,7 +128,7 @@ class CremonaPlan:
         sign = 1 if member is None or self.regions_beside_member(member) == (start, end) else -1
         if member is None or not open_:
             return Term(name, start, end, drawn=True, sign=sign)
-        along = self.draft.direction_between_marks(SCHEME_PLAN, *member)
+        along = self.draft.direction_between_marks(*member)
         return Term(name, start, end, None, along, f"∥{member[0]}{member[1]}", sign=sign)
 
     def close_remaining_polygons(self) -> None:
@@ -148,17 +149,15 @@ class CremonaPlan:
         """The sine of the angle between two members."""
         return sine_between(self.regions.vector_between_joints(*one), self.regions.vector_between_joints(*two))
 
-    def measure_member_forces(self) -> dict[str, str]:
+    def measure_member_forces(self) -> NamesByName:
         """Every member's force by its name, tension positive."""
         forces = {}
         for a, b in self.framework.members:
             name = f"S_{a}{b}"
             left, right = self.regions_beside_member((a, b))
             self.draft.name_segment(CREMONA_PLAN, left, right, name)
-            along = self.draft.direction_between_marks(SCHEME_PLAN, a, b)
-            forces[name] = self.draft.measure_segment(
-                name, full_mark_name(CREMONA_PLAN, left), full_mark_name(CREMONA_PLAN, right), along
-            )
+            along = self.draft.direction_between_marks(a, b)
+            forces[name] = self.draft.measure_segment(name, *CREMONA_PLAN.marks(left, right), along)
         return forces
 
     # cuts
@@ -189,7 +188,7 @@ class CremonaPlan:
             return reached
         return set()
 
-    def meeting(self, member: Side, two: tuple[Side, Side]) -> str:
+    def meeting(self, member: Side, two: tuple[Side, Side]) -> Mark:
         """The intersection of the lines of two cut members, if it is off the line of the first."""
         (a, b), (c, d) = two
         u = self.regions.vector_between_joints(a, b)
@@ -199,22 +198,22 @@ class CremonaPlan:
         lever = place - self.framework.points[member[0]]
         way = self.regions.vector_between_joints(*member)
         if abs((lever * way.conjugate()).imag) <= PARALLEL_MEMBERS_SINE * abs(way) ** 2:
-            return ""
+            return NO_MARK
         if shared := {*two[0]} & {*two[1]}:
             return scheme_mark(shared.pop())
-        along, across = (self.draft.direction_between_marks(SCHEME_PLAN, *m) for m in two)
+        along, across = (self.draft.direction_between_marks(*m) for m in two)
         label = "R"
         while scheme_mark(label) in self.draft.steps:
             label += "′"
-        return self.draft.add_step(Cross(scheme_mark(label), scheme_mark(a), along, scheme_mark(c), across))
+        return self.draft.draw_mark(Cross(*SCHEME_PLAN.marks(label, a), along, scheme_mark(c), across))
 
     def lay_off_member_force_by_moments(
-        self, region: str, member: Side, other: str, about: str, part: set[str]
+        self, region: str, member: Side, other: str, about: Mark, part: set[str]
     ) -> None:
         """The force of a member from the moments of a part of the truss, and the region at its end."""
         d = self.draft
         name = f"S_{member[0]}{member[1]}"
-        along = d.direction_between_marks(SCHEME_PLAN, *member)
+        along = d.direction_between_marks(*member)
         lever = d.draw_arm(name, scheme_mark(member[0]), along, about)
         terms = MomentTerms()
         for f in (f for f in self.regions.forces if f.joint in part and scheme_mark(f.joint) != about):
@@ -223,4 +222,4 @@ class CremonaPlan:
             terms.append((f.name, arm, Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1)))))
         value = d.solve_moment_equation(f"N_{member[0]}{member[1]}", about, tuple(sorted(part)), terms, lever)
         way = along if self.regions_beside_member(member)[1] == region else d.draw_reversed_direction(along)
-        d.lay_off(CREMONA_PLAN, region, full_mark_name(CREMONA_PLAN, other), way, value, Meaning("load", name))
+        d.lay_off(CREMONA_PLAN, region, CREMONA_PLAN.mark(other), way, value, Meaning("load", name))

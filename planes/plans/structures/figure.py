@@ -10,7 +10,7 @@ from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words import Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NamePair, NameTriple
+from planes.words.names import Mark, NamePair, NameTriple, PlanId
 
 LineKind = Literal["string", "ray", "closing", "action", "culmann", "trial"]
 
@@ -19,7 +19,7 @@ LineKind = Literal["string", "ray", "closing", "action", "culmann", "trial"]
 class FigureLine:
     """A thin line of a plan from mark to mark, with its letter."""
 
-    plan: str
+    plan: PlanId
     kind: LineKind
     name: str
     start: str
@@ -41,7 +41,7 @@ class StaticsFigure:
     results: list[NameTriple] = field(default_factory=list)
     moments: list[NamePair] = field(default_factory=list)  # of a beam: points with bending moments by name
     shears: list[NameTriple] = field(default_factory=list)  # and shear forces between two points
-    knots: list[str] = field(default_factory=list)  # lettered points where lines of action meet
+    knots: list[Mark] = field(default_factory=list)  # lettered points where lines of action meet
     said: dict[str, str] = field(default_factory=dict)  # reasons for the places of marks: keys of words
     poles: list[str] = field(default_factory=list)  # start marks of rays, which are not vectors of a plan
     counted: tuple[Phrase, ...] = ()  # why it is statically determinate
@@ -55,7 +55,7 @@ class StaticsFigure:
         numbered = frozenset(f.bodies if len(f.bodies) > 1 else ())
         return cls(f.supports, f.points, spread, members, numbered, f.pole)
 
-    def add_line(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
+    def add_line(self, plan: PlanId, kind: LineKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it has no length."""
         if start != end:
             self.strokes.append(FigureLine(plan, kind, name, start, end))

@@ -12,11 +12,10 @@ from planes.drafting.equations import Chain, Equation, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.plans.force.loads import Couple, Force
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of, vector_end_label
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Mark, Meaning, NamePair, PlanId, scheme_mark, vector_end_label
 
 
 @frozen
@@ -34,7 +33,7 @@ class FreeBody:
     draft: Draft
     figure: StaticsFigure
     name: str
-    plan: str
+    plan: PlanId
     forces: list[Force]
     couples: list[Couple]
     supports: list[Support]
@@ -88,10 +87,10 @@ class FreeBody:
     def reaction_line(self, s: Support) -> str:
         """The line of a reaction: the normal of a roller, a rod outwards from the body."""
         if s.to:
-            return self.draft.direction_between_marks(SCHEME_PLAN, s.point, s.to)
+            return self.draft.direction_between_marks(s.point, s.to)
         return self.draft.draw_direction_at_angle(f"∠{s.name}", s.normal_deg, Meaning("given", s.name))
 
-    def place_of_support(self, s: Support) -> str:
+    def place_of_support(self, s: Support) -> Mark:
         """The place where a support holds the body."""
         return scheme_mark(s.point)
 
@@ -115,7 +114,7 @@ class FreeBody:
 
     # moment equations
 
-    def unknown_by_moments(self, about: str, unknown: str, arm: str = "") -> None:
+    def unknown_by_moments(self, about: Mark, unknown: str, arm: str = "") -> None:
         """The moments of all loads about a mark give one unknown: a force with its ``arm``, a couple without."""
         tail = ((arm, -1),) if arm else ()
         levers = [(f, self.arm_about_mark(f.name, f.point, f.along, about)) for f in self.forces if f.point != about]
@@ -123,7 +122,7 @@ class FreeBody:
         terms += [(c.name, "", Product(-1.0 * c.sign, ((c.value, 1), *tail))) for c in self.couples]
         self.draft.solve_moment_equation(unknown, about, (self.name,), terms, arm)
 
-    def arm_about_mark(self, name: str, point: str, along: str, about: str) -> str:
+    def arm_about_mark(self, name: str, point: Mark, along: str, about: Mark) -> str:
         """The arm of a force about a mark, drawn and measured on the scheme."""
         return self.draft.draw_arm(name, point, along, about, self.name)
 
@@ -143,7 +142,7 @@ class FreeBody:
             self.reaction_by_moments(lines[0], self.place_of_support(anchor))
         self.close_with_last_reaction(anchor)
 
-    def reaction_by_moments(self, s: Support, about: str) -> None:
+    def reaction_by_moments(self, s: Support, about: Mark) -> None:
         """A reaction by the moments about a mark, laid off."""
         along = self.reaction_line(s)
         self.unknown_by_moments(about, s.name, self.arm_about_mark(s.name, self.place_of_support(s), along, about))
@@ -151,7 +150,7 @@ class FreeBody:
         self.append_force(Force(s.name, self.name, s.name, along, self.place_of_support(s), "load"))
         self.found[s.name] = (start, self.reached)
 
-    def crossing_of_reaction_lines(self, one: Support, other: Support) -> str:
+    def crossing_of_reaction_lines(self, one: Support, other: Support) -> Mark:
         """The intersection of the lines of two reactions on the scheme."""
         return self.crossing_of_lines(
             "K",
@@ -161,15 +160,15 @@ class FreeBody:
             self.reaction_line(other),
         )
 
-    def unused_mark(self, label: str) -> str:
+    def unused_mark(self, label: str) -> Mark:
         """An unused mark of the scheme."""
         while scheme_mark(label) in self.draft.steps:
             label += "′"
         return scheme_mark(label)
 
-    def crossing_of_lines(self, label: str, start: str, along: str, other: str, across: str) -> str:
+    def crossing_of_lines(self, label: str, start: Mark, along: str, other: Mark, across: str) -> Mark:
         """A point of the scheme where two lines meet, both extended to it."""
-        mark = self.draft.add_step(Meeting(self.unused_mark(label), start, along, other, across))
+        mark = self.draft.draw_mark(Meeting(self.unused_mark(label), start, along, other, across))
         self.figure.add_line(SCHEME_PLAN, "action", "", start, mark)
         self.figure.add_line(SCHEME_PLAN, "action", "", other, mark)
         self.figure.knots.append(mark)
@@ -177,19 +176,19 @@ class FreeBody:
 
     # by lines of action
 
-    def solve_by_three_forces(self, point: str, along: str) -> None:
+    def solve_by_three_forces(self, point: Mark, along: str) -> None:
         """A load with a line, a support with a line, a hinge: the reaction of the hinge passes through the
         intersection."""
         anchor = self.hinge_or_clamp
         (line,) = self.supports_with_known_lines
         assert anchor
         mark = self.crossing_of_lines("K", point, along, self.place_of_support(line), self.reaction_line(line))
-        way = self.draft.direction_between_marks(SCHEME_PLAN, anchor.point, label_of(mark))
+        way = self.draft.direction_between_marks(anchor.point, mark.label)
         self.figure.add_line(SCHEME_PLAN, "action", "", self.place_of_support(anchor), mark)
         self.cross_two_reactions(line, anchor, way)
-        self.figure.said |= {mark: "meeting", full_mark_name(self.plan, vector_end_label(line.name)): "three_forces"}
+        self.figure.said |= {mark: "meeting", self.plan.mark(vector_end_label(line.name)): "three_forces"}
 
-    def solve_by_culmann(self, point: str, along: str, order: tuple[Support, Support, Support]) -> None:
+    def solve_by_culmann(self, point: Mark, along: str, order: tuple[Support, Support, Support]) -> None:
         """A load with a line and three supports with lines: the load meets one of them, the others meet, and the line
         through both intersections divides the polygon."""
         one, two, three = order
@@ -201,7 +200,7 @@ class FreeBody:
             self.place_of_support(three),
             self.reaction_line(three),
         )
-        way = self.draft.direction_between_marks(SCHEME_PLAN, label_of(k), label_of(m))
+        way = self.draft.direction_between_marks(k.label, m.label)
         self.figure.add_line(SCHEME_PLAN, "culmann", "", k, m)
         x = vector_end_label(one.name)
         end = vector_end_label(two.name)
@@ -210,5 +209,5 @@ class FreeBody:
         self.draft.lay_off_until_meeting(self.plan, self.chain, self.unknown_reaction_term(one, self.reached, x), back)
         parts = self.unknown_reaction_term(two, x, end), self.unknown_reaction_term(three, end, POLE_LABEL)
         self.draft.draw_equation(Equation(self.plan, ((Term(both, x, POLE_LABEL, drawn=True),), parts)))
-        self.figure.said |= {k: "meeting", m: "meeting", full_mark_name(self.plan, x): "culmann"}
+        self.figure.said |= {k: "meeting", m: "meeting", self.plan.mark(x): "culmann"}
         self.found |= {one.name: (self.reached, x), two.name: (x, end), three.name: (end, POLE_LABEL)}

@@ -10,13 +10,13 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from planes.scene.structures import Framework
-from planes.words.names import POLE_LABEL, NameTriple
+from planes.words.names import POLE_LABEL, NamePair, NamesByName, NameTriple
 
 REGION_LETTERS = POLE_LABEL + "abcdefghijklmnoqrstuvwxyz"
 """First letter of the regions: that before the first force is the pole of the plan."""
 OUTER_LETTER_DISTANCE_RATIO = 0.12  # distance of an outer region's letter from the truss, of the truss's size
-Side = tuple[str, str]  # a directed member, from one joint to the other: its region is on the right
-Visit = tuple[str, str, str]  # a joint of the contour, with the next one clockwise and the one before
+Side = NamePair  # a directed member, from one joint to the other: its region is on the right
+Visit = NameTriple  # a joint of the contour, with the next one clockwise and the one before
 
 
 def region_letter(k: int) -> str:
@@ -42,8 +42,8 @@ class Regions:
     framework: Framework
     forces: list[Outside]
     right: dict[Side, str] = field(default_factory=dict)
-    before: dict[str, str] = field(default_factory=dict)
-    after: dict[str, str] = field(default_factory=dict)
+    before: NamesByName = field(default_factory=dict)
+    after: NamesByName = field(default_factory=dict)
     ordered: list[Outside] = field(default_factory=list)
     places: dict[str, complex] = field(default_factory=dict)  # of letters on the scheme, m
 

@@ -10,7 +10,7 @@ from planes.drafting.steps.laws import Follow
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.force.loads import Couple, Force
-from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint, scheme_mark
+from planes.plans.position.bodies import BodyPoint
 from planes.plans.statements.turning import value_name_of_law
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene import Scene
@@ -19,7 +19,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, StaticLoad
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import Meaning, NamePair, label_of
+from planes.words.names import SCHEME_PLAN, MarkPair, Meaning, NamesByName, scheme_mark
 
 
 class StatedLoads:
@@ -33,8 +33,8 @@ class StatedLoads:
         self.forces: dict[str, list[Force]] = {name: [] for name in framework.bodies}
         self.couples: dict[str, list[Couple]] = {name: [] for name in framework.bodies}
         self.left = list(framework.bodies)
-        self.spans: dict[str, NamePair] = {}
-        self.values: dict[str, str] = {}
+        self.spans: dict[str, MarkPair] = {}
+        self.values: NamesByName = {}
         self.sizes: dict[str, complex] = {}  # of known forces in N, for the choice of a method and a pole
 
     def error(self, phrase: Phrase, *path: str) -> SceneError:
@@ -99,7 +99,7 @@ class StatedLoads:
             if load.point
             else d.draw_given_mark(SCHEME_PLAN, f"_{load.name}", load.place, Meaning("moved"))
         )
-        spot = BodyPoint(label_of(mark), load.point)
+        spot = BodyPoint(mark.label, load.point)
         self.forces[load.body].append(Force(load.name, load.body, size, along, mark, "load", spot))
         now = self.number_at_file_position(load.size) or float(
             isinstance(load.size, LoadLaw)

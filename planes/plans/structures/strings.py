@@ -10,10 +10,9 @@ from itertools import pairwise
 
 from planes.drafting.equations import Equation, Term
 from planes.geometry.plane import bounding_corners, sine_between
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.scene.structures import Support
-from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, vector_end_label
+from planes.words.names import POLE_LABEL, SCHEME_PLAN, Mark, Meaning, scheme_mark, vector_end_label
 
 STRING_POLE_LETTER = "O"  # the letter of the pole in every textbook
 TRIED_POLE_DIRECTIONS = 24  # directions in which a pole is tried
@@ -31,21 +30,21 @@ class StringPolygon:
     pole: str = STRING_POLE_LETTER
     trial: bool = False
     rays: list[str] = field(default_factory=list)
-    knots: list[str] = field(default_factory=list)  # marks of the scheme from string to string
+    knots: list[Mark] = field(default_factory=list)  # marks of the scheme from string to string
 
-    def draw_rays_and_strings(self, start: str) -> None:
+    def draw_rays_and_strings(self, start: Mark) -> None:
         """All rays, and all strings from a mark of the scheme on the first one."""
         b = self.body
         d = b.draft
         plan = b.plan
-        pole = full_mark_name(plan, self.pole)
+        pole = plan.mark(self.pole)
         b.figure.poles.append(pole)
         b.figure.said.setdefault(pole, "rays")
         ends = [POLE_LABEL, *(t.end for t in b.chain)]
         for k, end in enumerate(ends):
             letter = "" if self.trial else str(k)
             means = Meaning("along", f"{k}{TRIAL_SUFFIX * self.trial}")
-            mark = full_mark_name(plan, end)
+            mark = plan.mark(end)
             self.rays.append(d.draw_direction_through_marks(f"∥{means.of}", pole, mark, means))
             b.figure.add_line(plan, "trial" if self.trial else "ray", letter, pole, mark)
         self.knots = [start]
@@ -56,31 +55,33 @@ class StringPolygon:
             self.knots.append(self.draw_string_to_line(k, f.point, f.along))
             b.figure.add_line(SCHEME_PLAN, "action", "", f.point, self.knots[-1])
 
-    def draw_string_to_line(self, k: int, point: str, along: str) -> str:
+    def draw_string_to_line(self, k: int, point: Mark, along: str) -> Mark:
         """A string from the end of the one before to a line; returns the mark there."""
         b = self.body
         letter = "" if self.trial else str(k)
         mark = b.unused_mark(f"{k + 1}{TRIAL_SUFFIX * self.trial}")
-        knot = b.draft.add_step(Meeting(mark, self.knots[-1], self.rays[k], point, along))
+        knot = b.draft.draw_mark(Meeting(mark, self.knots[-1], self.rays[k], point, along))
         b.figure.add_line(SCHEME_PLAN, "trial" if self.trial else "string", letter, self.knots[-1], knot)
         b.figure.said[knot] = "trial_string" if self.trial else "string"
         return knot
 
-    def mark_where_string_meets_line(self, k: int, point: str, along: str) -> str:
+    def mark_where_string_meets_line(self, k: int, point: str, along: str) -> Mark:
         """The mark where a string of a trial meets a line through a point."""
         b = self.body
         spot = scheme_mark(point)
-        mark = b.draft.add_step(
+        mark = b.draft.draw_mark(
             Meeting(b.unused_mark(f"{point}{TRIAL_SUFFIX}"), self.knots[k], self.rays[k], spot, along)
         )
         b.figure.add_line(SCHEME_PLAN, "trial", "", spot, mark)
         return mark
 
-    def resultant_mark_and_direction(self) -> NamePair:
+    def resultant_mark_and_direction(self) -> tuple[Mark, str]:
         """The mark of the scheme where the outermost strings meet, and the direction of the resultant there."""
         b = self.body
         last = str(len(self.rays) - 1)
-        mark = b.draft.add_step(Meeting(b.unused_mark("K"), self.knots[1], self.rays[0], self.knots[-1], self.rays[-1]))
+        mark = b.draft.draw_mark(
+            Meeting(b.unused_mark("K"), self.knots[1], self.rays[0], self.knots[-1], self.rays[-1])
+        )
         b.figure.knots.append(mark)
         b.figure.said[mark] = "outermost"
         b.figure.add_line(SCHEME_PLAN, "string", "0", self.knots[1], mark)
@@ -107,7 +108,7 @@ def lay_off_pole(b: FreeBody, pole: complex, label: str = STRING_POLE_LETTER) ->
     angle = math.degrees(cmath.phase(pole))
     along = d.draw_direction_at_angle(f"∠{label}", angle, Meaning("given", label))
     length = d.add_given(f"|p{label}|", size, Meaning("load", f"p{label}"))
-    d.lay_off(b.plan, label, full_mark_name(b.plan, POLE_LABEL), along, length, Meaning("foot"))
+    d.lay_off(b.plan, label, b.plan.pole, along, length, Meaning("foot"))
 
 
 def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], before: int) -> None:
@@ -119,7 +120,7 @@ def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], 
     plan = b.plan
     first = scheme_mark(points[0])
     letter = STRING_POLE_LETTER + TRIAL_SUFFIX
-    trial_pole = full_mark_name(plan, letter)
+    trial_pole = plan.mark(letter)
     lay_off_pole(b, pole, letter)
     trial = StringPolygon(b, letter, True)
     trial.draw_rays_and_strings(first)
@@ -128,32 +129,28 @@ def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], 
     parted = []
     for n, (low, high) in enumerate(pairwise(cuts)):
         means = Meaning("along", f"R{TRIAL_SUFFIX}{n + 1}")
-        chord = d.draw_direction_through_marks(
-            f"∥{means.of}", full_mark_name(plan, ends[low]), full_mark_name(plan, ends[high]), means
-        )
+        chord = d.draw_direction_through_marks(f"∥{means.of}", *plan.marks(ends[low], ends[high]), means)
         stops = [(low, points[n]), (high, points[n + 1])]
         start, end = (trial.mark_where_string_meets_line(k, p, chord) if k else first for k, p in stops)
         b.figure.add_line(SCHEME_PLAN, "trial", "", start, end)
         closing = d.draw_direction_through_marks(
             f"∥{TRIAL_SUFFIX}{n + 1}", start, end, Meaning("along", f"{CLOSING_LINE_LETTER}{TRIAL_SUFFIX}{n + 1}")
         )
-        mark = full_mark_name(plan, f"m{n + 1}")
-        d.add_step(Meeting(mark, trial_pole, closing, full_mark_name(plan, ends[low]), chord, means=Meaning("foot")))
+        mark = plan.mark(f"m{n + 1}")
+        d.add_step(Meeting(mark, trial_pole, closing, plan.mark(ends[low]), chord, means=Meaning("foot")))
         b.figure.add_line(plan, "trial", "", trial_pole, mark)
-        parted.append((mark, d.direction_between_marks(SCHEME_PLAN, points[n], points[n + 1])))
-    other = parted[1] if len(parted) > 1 else (full_mark_name(plan, STRING_POLE_LETTER + TRIAL_SUFFIX), chord)
-    d.add_step(Meeting(full_mark_name(plan, STRING_POLE_LETTER), *parted[0], *other, means=Meaning("foot")))
-    b.figure.said |= {full_mark_name(plan, STRING_POLE_LETTER): "pole_through"}
+        parted.append((mark, d.direction_between_marks(points[n], points[n + 1])))
+    other = parted[1] if len(parted) > 1 else (plan.mark(STRING_POLE_LETTER + TRIAL_SUFFIX), chord)
+    d.add_step(Meeting(plan.mark(STRING_POLE_LETTER), *parted[0], *other, means=Meaning("foot")))
+    b.figure.said |= {plan.mark(STRING_POLE_LETTER): "pole_through"}
     for mark, _ in parted:
-        b.figure.add_line(plan, "action", "", mark, full_mark_name(plan, STRING_POLE_LETTER))
+        b.figure.add_line(plan, "action", "", mark, plan.mark(STRING_POLE_LETTER))
 
 
-def resultant_at_mark(b: FreeBody, mark: str) -> str:
+def resultant_at_mark(b: FreeBody, mark: Mark) -> str:
     """The resultant of all loads, which acts at a mark of the scheme; its direction."""
     b.draft.measure_equation_results(Equation(b.plan, (b.chain, ()), "R"))
-    way = b.draft.draw_direction_through_marks(
-        "∥R", full_mark_name(b.plan, POLE_LABEL), full_mark_name(b.plan, b.reached), Meaning("along", "R")
-    )
+    way = b.draft.draw_direction_through_marks("∥R", b.plan.pole, b.plan.mark(b.reached), Meaning("along", "R"))
     b.figure.results.append(("R", mark, way))
     return way
 
@@ -173,17 +170,15 @@ def reactions_by_string_polygon(b: FreeBody) -> tuple[StringPolygon, str, str]:
     last_ray = Term(f"N_{last}", STRING_POLE_LETTER, start, drawn=True)
     parted = Term(f"N_{CLOSING_LINE_LETTER}", STRING_POLE_LETTER, x, None, closing, b.line_of_action_text(closing))
     b.draft.draw_equation(Equation(b.plan, ((last_ray, b.unknown_reaction_term(line, start, x)), (parted,))))
-    b.figure.add_line(
-        b.plan, "ray", CLOSING_LINE_LETTER, full_mark_name(b.plan, STRING_POLE_LETTER), full_mark_name(b.plan, x)
-    )
-    b.figure.said[full_mark_name(b.plan, x)] = "closing_line"
+    b.figure.add_line(b.plan, "ray", CLOSING_LINE_LETTER, *b.plan.marks(STRING_POLE_LETTER, x))
+    b.figure.said[b.plan.mark(x)] = "closing_line"
     b.found[line.name] = (start, x)
     b.chain += (Term(line.name, start, x, drawn=True),)
     b.close_with_last_reaction(anchor)
     return polygon, closing, x
 
 
-def resultant_by_composition(b: FreeBody) -> NamePair:
+def resultant_by_composition(b: FreeBody) -> tuple[Mark, str]:
     """The resultant of all loads, each composed with those before at the intersection of both lines."""
     mark = b.forces[0].point
     along = b.forces[0].along
@@ -194,7 +189,7 @@ def resultant_by_composition(b: FreeBody) -> NamePair:
         b.draft.measure_equation_results(Equation(b.plan, ((before, term), ()), name))
         before = Term(name, POLE_LABEL, term.end, drawn=True)
         along = b.draft.draw_direction_through_marks(
-            f"∥{name}", full_mark_name(b.plan, POLE_LABEL), full_mark_name(b.plan, term.end), Meaning("along", name)
+            f"∥{name}", b.plan.pole, b.plan.mark(term.end), Meaning("along", name)
         )
         b.figure.results.append((name, mark, along))
     return mark, along

@@ -9,7 +9,7 @@ from planes.plans.structures.regions import Outside, Regions
 from planes.scene.structures import Framework
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import NamePair, label_of
+from planes.words.names import NamePair
 
 ZERO_FORCE_RATIO = 1e-9  # of the largest force: below this it is zero
 Refusal = Callable[..., SceneError]
@@ -34,7 +34,7 @@ def truss_plan(
 ) -> CremonaPlan:
     """The plan, from ``outer`` forces of known ``sizes``, N, without those not above ``least`` of the largest."""
     most = max(map(abs, sizes.values()), default=0.0)
-    forces = [Outside(n, label_of(x.point), sizes[n]) for n, x in outer.items() if abs(sizes[n]) > least * most]
+    forces = [Outside(n, x.point.label, sizes[n]) for n, x in outer.items() if abs(sizes[n]) > least * most]
     if not forces:
         raise error(Phrase("truss_idle"), "loads")
     regions = Regions(f, forces)

@@ -7,7 +7,6 @@ from itertools import combinations, permutations
 
 from planes.geometry.plane import sine_between
 from planes.plans.assur.alignment import matrix_determinant
-from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.beams import StraightBeam
 from planes.plans.structures.free_body import FreeBody
 from planes.plans.structures.strings import (
@@ -23,7 +22,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, Support
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import NamePair, label_of
+from planes.words.names import SCHEME_PLAN, Mark, scheme_mark
 
 PARALLEL_LINES_SINE = 1e-9  # the sine of the angle below which lines are parallel; arms relative to the size of a body
 LEAST_DRAWABLE_CROSSING_SINE = 0.05  # a crossing sharper than this can be drawn
@@ -42,7 +41,7 @@ class WayFinder:
         self.turning = turning
         self.forces = [sizes[f.name] for f in body.forces]
         self.places = {x.name: x.place for x in framework.loads}
-        self.places |= {f.name: framework.points[label_of(f.point)] for f in body.forces if f.name not in self.places}
+        self.places |= {f.name: framework.points[f.point.label] for f in body.forces if f.name not in self.places}
         self.size = max((abs(a - b) for a, b in combinations(framework.points.values(), 2)), default=1.0)
 
     def method_refusal(self, key: str, **details: object) -> SceneError:
@@ -156,7 +155,7 @@ class WayFinder:
         else:
             self.solve_by_resultant(*self.resultant_line_of_loads())
 
-    def resultant_line_of_loads(self) -> NamePair:
+    def resultant_line_of_loads(self) -> tuple[Mark, str]:
         """The line of the loads' resultant by their string polygon."""
         b = self.body
         through = self.framework.through
@@ -210,7 +209,7 @@ class WayFinder:
             return
         self.solve_by_resultant(*self.resultant_line_of_loads())
 
-    def solve_by_resultant(self, point: str, along: str) -> None:
+    def solve_by_resultant(self, point: Mark, along: str) -> None:
         """The reactions to one force along a line; none where the body has no supports."""
         b = self.body
         load = sum(self.forces)
