@@ -72,12 +72,6 @@ class Edited:
         key = next(k for k, _ in node.value if k.value == path[-1])
         return self._with_replaced_span(key.start_mark.index, key.end_mark.index, name, key.start_mark.line)
 
-    def keys_at_path(self, path: Path) -> list[str]:
-        """The keys of the mapping at a path; empty where there is none."""
-        node, depth = _node_at_path(self.text, path)
-        there = depth == len(path) and isinstance(node, yaml.MappingNode)
-        return [key.value for key, _ in node.value] if there else []
-
     def _with_key(self, node: yaml.Node, key: str, value: str) -> "Edited":
         """The text with one more key in a mapping; an empty node, or one that is no mapping, becomes one."""
         if node.start_mark is None:  # the text is empty

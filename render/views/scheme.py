@@ -203,7 +203,8 @@ class Scheme:
         letters = re.findall(r"[A-Z]\d*", name) if re.fullmatch(r"([A-Z]\d*)+", name) else [*guide_end_letters(name)]
         own = [p for p in letters if self.places.is_drawn(p)]
         near = self.places.point_place(own[0]) if own else self.places.guide_line(name)[0]
-        images = {x for link in self.links for x in self.coincident_guide_letters(link.first_point)}
+        slides = self.position.plans.velocity_slides
+        images = {x for slider, held in slides.items() if held.guide == name for x in self.letters_under(slider)}
         free = next((x for x in letters if x not in own and x not in images), "")
         if free:
             end = max(ends, key=lambda z: abs(z - near))
@@ -280,14 +281,15 @@ class Scheme:
 
     def coincident_guide_letters(self, point: str) -> list[str]:
         """Letters of the places on guides that coincide with a slider's point, as on the plans: L, B3."""
-        plans = self.position.plans
+        slides = self.position.plans.velocity_slides
         drawn = {x.name for x in self.links}
+        here = [x.name for x in self.links if x.slides and x.first_point == point and x.name in slides]
+        held = (x for x in here if self.mechanism.owner_of_guide(slides[x].guide) in drawn)
+        return [letter for x in held for letter in self.letters_under(x)]
+
+    def letters_under(self, slider: str) -> list[str]:
+        """The letters of the place on its guide under a slider."""
+        plans = self.position.plans
+        reading = plans.velocity_slides[slider]
         known = {POLE_LABEL, *(x.velocity.label for x in plans.points.values())}
-        images = list[str]()
-        for link in self.links:
-            if link.slides and link.first_point == point and link.name in plans.velocity_slides:
-                reading = plans.velocity_slides[link.name]
-                if self.mechanism.owner_of_guide(reading.guide) in drawn:
-                    ends = (reading.under,) if reading.under else reading.ends
-                    images += (x.label.upper() for x in ends if x.label not in known)
-        return images
+        return [x.label.upper() for x in ([reading.under] if reading.under else reading.ends) if x.label not in known]
