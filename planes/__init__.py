@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from planes.solving.of_scene import load, loads, solve
     from planes.words.errors import PlanesError, PlanFailure
 
-__version__ = "0.23.0"
+__version__ = "0.24.0"
 
 _FROM = {
     "planes.scene": ("Scene",),

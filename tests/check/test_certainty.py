@@ -101,10 +101,10 @@ def test_nobody_is_accused_of_a_mistake_at_a_mark_that_is_where_it_should_be() -
 
 
 @pytest.mark.few(0, slow=1)
-@pytest.mark.parametrize("first", range(2))
+@pytest.mark.parametrize("first", range(4))
 def test_nobody_is_accused_falsely_on_any_plan(first: int) -> None:
-    found = [accused(one) for one in list(confusion.easels())[first::2]]
-    assert sum(named for named, _ in found) > 50 and not [f for _, false in found for f in false]
+    found = [accused(one) for one in list(confusion.easels())[first::4]]
+    assert sum(named for named, _ in found) > 25 and not [f for _, false in found for f in false]
 
 
 def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
