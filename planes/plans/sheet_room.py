@@ -14,8 +14,8 @@ from planes.plans.extents import Size, box_size, plan_width_and_height
 from planes.words.frozen import frozen
 from planes.words.names import RATE_PLANS, SCHEME_PLAN, VELOCITY_PLAN, NameTuple, NumbersByName, PlanId, scheme_mark
 
-ROOM_ON_FORMATS = ((169e3, (122e3, 142e3)), (354e3, (167e3, 256e3)))
-"""Of A2 and A1, mm²: the most that was held, and what is surely held with larger letters, and with smaller ones."""
+ROOM_ON_FORMATS = ((169e3, (122e3, 152e3)), (354e3, (167e3, 270e3)))
+"""Of A2 and A1, mm²: the most that was held, and what nearly all held with larger letters, and with smaller ones."""
 LARGER_SIZES = (1.0, 1.12, 1.25, 1.4)  # relative to the usual ones; from A2 to A1 the sides grow 1.4 times
 KINDS_ENLARGED_TOGETHER = (("velocity", "acceleration", "motion"), ("position",), ("force",))
 # around a figure: letters, dimensions, its title, half of the gap to its neighbour
