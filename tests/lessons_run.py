@@ -101,7 +101,7 @@ def off(marks: Mapping[str, Any], drawing: Drawing) -> float:
     """The worst mark, mm; of far ones, of their distance."""
     worst = 0.0
     for name, seen in marks.items():
-        if name in drawing and name.plan != "motion" and drawing[name] == drawing[name]:
+        if name in drawing and not name.startswith("motion:") and drawing[name] == drawing[name]:
             true = complex(drawing[name])
             apart = abs(complex(*seen) - true) if seen else math.inf
             worst = max(worst, apart / max(1.0, abs(true) / FAR_MM))

@@ -57,7 +57,7 @@ def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
 FILES = sorted(p for p in (*SAMPLES.glob("*.yaml"), *SAMPLES.glob("assignments/*.yaml")) if p.stem != "vectors")
 
 
-@pytest.mark.few(0, slow=10)
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("sample", FILES, ids=lambda p: p.stem)
 def test_an_empty_blank_of_every_sample_is_unreadable(sample: Path, tmp_path: Path) -> None:
     scene, file = load(sample), str(tmp_path / "blank.svg")
@@ -78,7 +78,7 @@ def test_an_empty_blank_on_paper_is_unreadable(tmp_path: Path, suffix: str) -> N
         assert main(["check", scene, file, "--plan", plan]) == 2
 
 
-@pytest.mark.few(0, slow=5)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("size", SIZES)
 def test_marks_put_anywhere_are_never_right(size: float) -> None:
     rng = random.Random(size)
@@ -93,7 +93,7 @@ def test_marks_put_anywhere_are_never_right(size: float) -> None:
             )
 
 
-@pytest.mark.few(0, slow=5)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("size", SIZES)
 def test_scribbles_are_never_right(size: float) -> None:
     rng = random.Random(size)

@@ -47,7 +47,7 @@ def off(drawn: schemes.Scheme, found: Outcome) -> list[float]:
     return [abs(s.place - origin - drawn.places[s.name]) for s in found.paper.spots if s.name in drawn.places]
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(
     "camera", [replace(PHONE, grid="square", erased=2), replace(SCAN, grid="millimetre")], ids=["phone", "scan"]
 )
@@ -92,7 +92,7 @@ def through_pivot(scene: dict[str, Any]) -> None:
     scene["frame"]["guides"]["q-q"]["through"] = [0, 0]
 
 
-@pytest.mark.few(0, slow=7)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize(
     ("sample", "mistake", "where", "made"),
     [

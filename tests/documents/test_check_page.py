@@ -288,7 +288,12 @@ def test_the_page_says_where_too_little_is_seen_to_judge_by(browser: Any, tmp_pa
     bench = prepare(Asked(load(SAMPLES / "kind-1-rrr.yaml"), "velocity"))
     c = complex(draw_program(bench.program, bench.given)["velocity:c"])
     keys = []
-    for size, mu in ((0.1, bench.said_mu * 0.1), (0.2, bench.said_mu * 0.2), (0.4, None), (0.4, bench.said_mu * 0.4)):
+    for size, mu in (
+        (0.06, bench.said_mu * 0.06),
+        (0.12, bench.said_mu * 0.12),
+        (0.25, None),
+        (0.25, bench.said_mu * 0.25),
+    ):
         spots = [ReadMark("p", 0j), ReadMark("c", c * size)]
         found = check(Asked(bench.asked.scene, "velocity", mu=mu), ReadPaper("t", spots))
         page, errors = opened(browser, found, tmp_path)

@@ -112,7 +112,7 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
     for number in (None, 1, 2):
         sheet = sheet_of(scene, None, "ru", number)
         for key, title in ((v.key, v.title) for v, *_ in sheet.views if " = " in v.title):
-            plan = OF_PLAN.get(key, key)
+            plan = PlanId.read(OF_PLAN.get(key, key))
             if (mu := drawn.scales.get(plan.mu_name)) and key != "loaded" and not (key == "lever" and still):
                 assert title.endswith(with_decimal_sign(mu_text(mu, plan.kind, "ru", convention), "ru")), (
                     key,
