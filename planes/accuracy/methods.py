@@ -2,7 +2,7 @@
 
 import os
 import platform
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -16,7 +16,7 @@ from planes.accuracy.digits import Digits
 from planes.batch import compiled
 from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.instruments import Pencil
-from planes.geometry.arithmetic import Point
+from planes.drafting.tools import Things
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.columns import Column
@@ -24,6 +24,7 @@ from planes.plans.scales import PLAN_FIT_MM, plan_scales
 from planes.words import Lang, say, sentence_table
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
+from planes.words.names import NumbersByName
 
 TIMED_POSITIONS = 100_000
 SCALE_FACTOR_BY_FORMAT = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
@@ -128,12 +129,12 @@ def _pencil_methods(bench: Comparison, values: Array, truth: Array) -> list[Meth
     return methods
 
 
-def _try_pencil_drawing(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:
+def _try_pencil_drawing(bench: Comparison, given: Things, pencil: Pencil) -> None:
     with suppress(PlanFailure):
         draw_program(bench.cycle.program, given, pencil)
 
 
-def _column_by_ruler(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:
+def _column_by_ruler(column: Column, drawing: Drawing, mus: NumbersByName, ruler: float) -> Array:
     """A column as read with the ruler."""
     mu = mus["mu_" + column.start.plan]
     size = np.broadcast_to(column.read_from_drawing(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu

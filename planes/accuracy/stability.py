@@ -112,10 +112,7 @@ def _neighbouring_ways(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
 
 def methods_to_try(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
     """All methods to be tried, ours before others'."""
-    works: dict[str, Work] = {
-        "method_scalar": bench.columns_one_by_one,
-        "method_batch": lambda v: bench.columns_by_loop(v, False),
-    }
+    works = {"method_scalar": bench.columns_one_by_one, "method_batch": lambda v: bench.columns_by_loop(v, False)}
     if compiled.is_compiler_available():
         works["method_compiled"] = lambda v: bench.columns_by_loop(v, True)
     works["method_digits"] = lambda v: bench.columns_one_by_one(v, Digits(30))

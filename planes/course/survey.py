@@ -1,5 +1,6 @@
 """Every scene of a folder in every variant: the results, the agreement of the two balancing loads, and the failures."""
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -144,8 +145,8 @@ def survey_report(lines: Sequence[SurveyRow], lang: Lang) -> str:
 
 def remarks_with_variants(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:
     """The sentences, each with its variants."""
-    variants_of: dict[tuple[str, str], list[str]] = {}
+    variants_of = defaultdict(list)
     for line in lines:
         for text in line.remarks:
-            variants_of.setdefault((line.scene, text), []).append(line.variant)
+            variants_of[(line.scene, text)].append(line.variant)
     return variants_of

@@ -70,7 +70,7 @@ class _Limit:
 def extremes_of_curves(g: Grid) -> list[list[Extreme]]:
     """The extremes of every curve of the turn, in the order of the driver's positions; none for a constant curve."""
     of_curves: list[list[Extreme]] = [[] for _ in g.turn.curves]
-    brackets = list[_Bracket]()
+    brackets = []
     limits = [_Limit.sampled_limit(g, i, limit) for i, limit in g.assembly_limits]
     for k, curve in enumerate(g.turn.curves):
         y = g.curve_values(curve)

@@ -37,7 +37,7 @@ from planes.solving.document import Block
 from planes.solving.given import GIVEN_NUMBER_DIGITS
 from planes.words import Lang, Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NameTuple, NumbersByName
+from planes.words.names import NamesByName, NameTriple, NameTuple, NumbersByName
 from render.files import Page, pdf
 from render.page.lesson_page import whole_lesson_page
 from render.paper.letters import BRACKETED_NAME_PATTERN
@@ -61,7 +61,7 @@ class Order:
     files: NameTuple
     plans: NameTuple
     lang: Lang
-    whose: tuple[str, str, str] = ("", "", "")
+    whose: NameTriple = ("", "", "")
     program: str = ""
 
 
@@ -70,11 +70,11 @@ class MadeDocuments:
     """The contents of files by name; for a failed file a sentence with the reason; ``said``: remarks on the others."""
 
     files: dict[str, bytes] = field(default_factory=dict)
-    faults: dict[str, str] = field(default_factory=dict)
+    faults: NamesByName = field(default_factory=dict)
     said: dict[str, NameTuple] = field(default_factory=dict)
 
 
-def folders_by_file_name(course: Course) -> dict[str, str]:
+def folders_by_file_name(course: Course) -> NamesByName:
     """The files for each student: name -> its folder, "students" or "teacher"."""
     known = {"sheets": [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats], "lesson": ["lesson.html"]}
     known |= {"scorm": ["scorm.zip"], "book": ["key.pdf"]} | {key: ["quiz.json"] for key in PLATFORMS}

@@ -22,7 +22,7 @@ from planes.documents.course import MadeDocuments, Order, files_of_scene, folder
 from planes.lesson.note import student_and_group
 from planes.scene import Scene, loads
 from planes.words import Lang, Phrase
-from planes.words.names import NameTuple, PlanId
+from planes.words.names import NameTriple, NameTuple, PlanId
 from planes.words.naming import Naming
 from render.report import render_document
 
@@ -40,8 +40,8 @@ class Report:
 
     made: int = 0
     kept: int = 0
-    faults: list[tuple[str, str, str]] = field(default_factory=list)
-    said: list[tuple[str, str, str]] = field(default_factory=list)
+    faults: list[NameTriple] = field(default_factory=list)
+    said: list[NameTriple] = field(default_factory=list)
 
 
 @dataclass

@@ -14,7 +14,7 @@ from planes.drafting.tools import AskedFor, Thing, Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words.frozen import field, frozen
-from planes.words.names import Mark, MarkTuple, PlanId
+from planes.words.names import Mark, MarkTuple, NameTuple, PlanId
 
 Made = TypeVar("Made")
 MOST_AGREEMENT_GAP_RATIO = 1e-9  # relative: within this, two ways to a number agree
@@ -27,12 +27,12 @@ class Facts:
 
     things: Things
     ar: Arithmetic
-    known: dict[tuple[str, ...], Any] = field(default_factory=dict)
+    known: dict[NameTuple, Any] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Thing:
         return self.things[name]
 
-    def computed_once(self, key: tuple[str, ...], make: Callable[[], Made]) -> Made:
+    def computed_once(self, key: NameTuple, make: Callable[[], Made]) -> Made:
         """A result computed on first request."""
         if key not in self.known:
             self.known[key] = make()

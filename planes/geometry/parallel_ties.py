@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 
 from planes.geometry import plane
@@ -28,13 +28,13 @@ from planes.geometry.sturm import (
     square_free_part,
     sturm_chain,
 )
-from planes.geometry.tracks import Pose, Tie
+from planes.geometry.tracks import Pose, Tie, Ties
 from planes.words.frozen import frozen, replace
 
 MOST_PARALLEL_SINE = 2e-15  # the sine of an angle between lines that counts as parallel in a drawing
 
 
-def find_parallel_ties(ties: Sequence[Tie]) -> Parallel | None:
+def find_parallel_ties(ties: Ties) -> Parallel | None:
     """Two of three ties whose lines are parallel at every angle of the link, and the third; None where there are
     none."""
     for k in range(3):

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from planes.geometry.sextic import Counted
-from planes.geometry.tracks import Pose, Tie, carrier_links, newton_step
+from planes.geometry.tracks import Pose, Tie, Ties, carrier_links, newton_step
 from planes.words.frozen import frozen, replace
 
 # start places; doubled, up to so many rounds, while any pose was found too seldom
@@ -21,7 +21,7 @@ SAME_POSE_DISTANCE = 1e-6  # of the size: two poses closer than this are one
 PROOF_BOX_SIZE = Fraction(1, 1 << 30)  # of the size, and of a cosine
 
 
-def search_assemblies(ties: Sequence[Tie], size: float) -> Counted:
+def search_assemblies(ties: Ties, size: float) -> Counted:
     """All proved poses found from many start places; it is not proved that there are no others."""
     links = len(carrier_links(ties))
     over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
@@ -35,7 +35,7 @@ def search_assemblies(ties: Sequence[Tie], size: float) -> Counted:
     return Counted(tuple((pose[0] * size, *pose[1:]) for pose in proven), len(met), False, whole=False)
 
 
-def _converged_poses(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
+def _converged_poses(ties: Ties, links: int, count: int) -> list[tuple[Pose, int]]:
     """Where Newton's steps converge from ``count`` start places, and how often."""
     import numpy as np
 
@@ -51,7 +51,7 @@ def _converged_poses(ties: Sequence[Tie], links: int, count: int) -> list[tuple[
             pose = (pose[0], *(axis / abs(axis) for axis in pose[1:]))
     good = (moved < 1e-12 * (1 + abs(pose[0]))) & (abs(det) > 0)
     rows = np.array(pose)[:, good].T
-    places: list[tuple[Pose, int]] = []
+    places = []
     while len(rows):
         near = abs(rows - rows[0]).max(axis=1) < SAME_POSE_DISTANCE * (1 + abs(rows[0][0]))
         places.append((tuple(map(complex, rows[0])), int(near.sum())))
@@ -97,7 +97,7 @@ def _coefficient_sum(form: Affine) -> Fraction:
     return sum(map(abs, form[:-1]), Fraction(0))
 
 
-def is_proved_assembly(ties: Sequence[Tie], pose: Pose) -> bool:
+def is_proved_assembly(ties: Ties, pose: Pose) -> bool:
     """Whether exactly one assembly lies in a box about a pose; lengths are divided by the size of the links."""
     import numpy as np
 
@@ -122,7 +122,7 @@ def is_proved_assembly(ties: Sequence[Tie], pose: Pose) -> bool:
     return True
 
 
-def tie_equations(ties: Sequence[Tie], links: int) -> list[Quadratic]:
+def tie_equations(ties: Ties, links: int) -> list[Quadratic]:
     """The ties, and unit length of every axis; unknowns are the first origin and both components of every axis."""
     width = 3 + 2 * links
     axes = [(_unknown_form(2 + 2 * k, width), _unknown_form(3 + 2 * k, width)) for k in range(links)]

@@ -6,7 +6,6 @@ So J. C. F. Sturm's theorem counts its real roots exactly, and each is bracketed
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from functools import reduce
 
@@ -18,7 +17,7 @@ from planes.geometry.sturm import (
     square_free_part,
     sturm_chain,
 )
-from planes.geometry.tracks import Pose, Tie, newton_step
+from planes.geometry.tracks import Pose, Tie, Ties, newton_step
 from planes.words.frozen import frozen
 
 NEWTON_STEPS = 12
@@ -82,7 +81,7 @@ class Counted:
         return len(self.poses) == self.count and not self.double
 
 
-def three_tie_assemblies(ties: Sequence[Tie]) -> Counted:
+def three_tie_assemblies(ties: Ties) -> Counted:
     """All poses of a link on three ties, by growing angle from -180°."""
     base, one, two = _ties_arc_first(ties)
     (eliminant, place, divisor) = _eliminant_and_place(base, one, two)
@@ -107,7 +106,7 @@ def axis_of_half_tangent(t: float) -> complex:
     return (1 + 1j * t) ** 2 / (1 + t * t)
 
 
-def refine_pose(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
+def refine_pose(ties: Ties, pose: Pose) -> list[Pose]:
     """The pose refined by Newton's steps; None where they do not converge nearby."""
     origin, axis = pose
     size = max(t.coordinate_sum for t in ties)
@@ -120,7 +119,7 @@ def refine_pose(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
     return [(origin, axis)]
 
 
-def _ties_arc_first(ties: Sequence[Tie]) -> tuple[Tie, Tie, Tie]:
+def _ties_arc_first(ties: Ties) -> tuple[Tie, Tie, Tie]:
     """The arc first, if there is one: the other ties are written relative to it."""
     first = next((t for t in ties if t.kind == "arc"), ties[0])
     one, two = (t for t in ties if t is not first)

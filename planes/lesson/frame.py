@@ -60,10 +60,11 @@ class Frame:
         return [part for how, name in self.numbers if how != "n" for part in factors_of_slot(name)]
 
 
+Frames = list[Frame]
 Make = Callable[..., Frame]  # a frame with its words in every language
 
 
-def with_chapters(frames: list[Frame]) -> list[Frame]:
+def with_chapters(frames: Frames) -> Frames:
     """The frames, each with its plan; a separate chapter includes the frames that find its values."""
     frames_with_chapters = []
     here = "position"

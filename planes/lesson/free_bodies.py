@@ -6,7 +6,7 @@ from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Term
-from planes.lesson.frame import Frame, Make
+from planes.lesson.frame import Frame, Frames, Make
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
 from planes.words import Phrase
@@ -34,10 +34,10 @@ class FreeBodies:
     plans: Plans
     drawing: Drawing
 
-    def insert_free_bodies(self, frames: list[Frame], make: Make) -> list[Frame]:
+    def insert_free_bodies(self, frames: Frames, make: Make) -> Frames:
         """The frames with each force polygon preceded by the free bodies of its links, and its pole after its
         equation."""
-        opened = list[Frame]()
+        opened = Frames()
         waiting = {}
         for f in frames:
             if f.key == "pole" and f.plan.is_force and self.plans.has_mechanism:

@@ -45,10 +45,7 @@ class Row:
         """The line in words."""
         if not self.numbers:
             return f"⟨{self.name}⟩ = 0"
-        parts: dict[str, object] = {
-            "unit": unit_of_name(self.name, self.unit_key),
-            "remark": row_remark(self.kind, lang),
-        }
+        parts = {"unit": unit_of_name(self.name, self.unit_key), "remark": row_remark(self.kind, lang)}
         parts["head"] = self.head or f"⟨{self.name}⟩"
         parts["arm"] = (
             f" (⟨{self.arm}⟩ = {value_slot(self.arm, 'a')} {unit_of_name(self.arm).told(lang)})" if self.arm else ""

@@ -201,12 +201,7 @@ def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str]
         colour, marker, dashes = looked[key]
         shown = [max(e, LEAST_DRAWN_ERROR) if e < MOST_DRAWN_ERROR else float("nan") for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_compiled": 1.6}.get(key, 1.0)
-        looks: dict[str, Any] = {
-            "color": METHOD_COLOURS[colour],
-            "marker": marker,
-            "linestyle": dashes,
-            "linewidth": wide,
-        }
+        looks = {"color": METHOD_COLOURS[colour], "marker": marker, "linestyle": dashes, "linewidth": wide}
         plot.plot(d, shown, markersize=3.5, label=names[key], **looks)
     plot.set_xlim(max(d) * 2, min(d) / 2)
     shown = [

@@ -1,6 +1,7 @@
 """The self-aligning variant drawn: the scheme with the signs of cylindrical and spherical pairs, and their names."""
 
 import math
+from collections import defaultdict
 from dataclasses import dataclass, replace
 
 from planes.plans.assur.alignment import Aligned, Sign
@@ -65,11 +66,11 @@ class AlignedScheme(Scheme):
     def add_letters(self) -> None:
         """Letters of the points, with the signs of the pairs there."""
         super().add_letters()
-        said: dict[str, list[str]] = {}
+        said = defaultdict(list)
         for pair, sign in self.aligned.pairs:
             short = say(f"short_{sign}", self.naming.lang)
             if pair.kind == "R":
-                said.setdefault(pair.point, []).append(short)
+                said[pair.point].append(short)
             elif self.places.is_drawn((link := self.mechanism.links[pair.link]).first_point):
                 foot, _ = self.places.foot_on_guide(link)
                 text = f"{sliding_pair_name(pair, self.naming)}_{{{short}}}"

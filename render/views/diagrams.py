@@ -242,7 +242,7 @@ class Diagrams:
         """The same with dots and values at the least and the greatest."""
         lang = self.naming.lang
         added = list(marks)
-        named = list[Label]()
+        named = []
         for side, (place, value) in self.extreme_places(curve):
             z = axes.value_place(self.abscissa_of(place), value)
             seen = abs(axes.mu * value) > 1e-6

@@ -192,7 +192,7 @@ class ManyPositions:
         drive = self.plans.drive
         pair = self.plans.structure.drive_pair
         link = self.plans.mechanism.links[drive.link]
-        numbers = list[Label]()
+        numbers = []
         hinged = self.points_of_other_links(link)
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
         ends.sort(key=lambda p: p not in hinged)

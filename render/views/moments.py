@@ -176,8 +176,8 @@ class Lever:
     def forces_and_arms(self, lines: list[Ends]) -> Arms:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""
         drawing = self.position.drawing
-        marks = list[Mark]()
-        named = list[Label]()
+        marks = []
+        named = []
         drops = arm_steps_by_result(drawing)
         arms = Arms()
         arrows = Arrows(lines)

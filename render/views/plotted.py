@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
@@ -129,10 +130,10 @@ class Places:
     @cached_property
     def links_by_hinge(self) -> dict[str, list[str]]:
         """Points of more than one link, with those links: the hinges."""
-        held: dict[str, list[str]] = {}
+        held = defaultdict(list)
         for link in (self.mechanism.frame, *self.links):
             for point in self.mechanism.points_without_guide_centre(link):
-                held.setdefault(point, []).append(link.name)
+                held[point].append(link.name)
         return {point: owners for point, owners in held.items() if len(owners) > 1}
 
     def is_drawn(self, point: str) -> bool:

@@ -9,6 +9,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from planes.scene.mechanism import FRAME, Link
+from planes.scene.ranges import Interval
 from planes.solving import Position
 from planes.words.names import POLE_LABEL, NameTuple, guide_end_letters
 from planes.words.naming import Naming
@@ -198,7 +199,7 @@ class Scheme:
         self.add_rigid_joint(through + reach[0] * along, ends, off[:1])
         return [] if on else [through + reach[0] * along]
 
-    def name_moving_guide(self, name: str, ends: tuple[complex, complex]) -> None:
+    def name_moving_guide(self, name: str, ends: Ends) -> None:
         """The letter of a guide on a link that no point has, at its free end: n of n-n, D of AD."""
         letters = re.findall(r"[A-Z]\d*", name) if re.fullmatch(r"([A-Z]\d*)+", name) else [*guide_end_letters(name)]
         own = [p for p in letters if self.places.is_drawn(p)]
@@ -217,7 +218,7 @@ class Scheme:
             nearer = max(far, key=lambda end: math.cos(cmath.phase((end - z) / (joint - z))))
             self.bars += symbols.rigid_joint_gusset(z, nearer, joint)
 
-    def rod_range(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
+    def rod_range(self, reach: list[float], stops: list[float]) -> Interval:
         """From the place where the link holds the guide to beyond its sliders; no farther on the holding side."""
         low = min(*reach, *stops)
         high = max(*reach, *stops)

@@ -271,7 +271,7 @@ class Tables:
         """Whether the mechanism has no loads: all reactions are zero."""
         return all(self.result_text(abs(r.vector)) == "0" for r in self.position.of("reactions").values())
 
-    def reaction_lengths_mm(self) -> dict[str, float]:
+    def reaction_lengths_mm(self) -> NumbersByName:
         """The length of each reaction on the force plan that shows it, or its opposite, mm."""
         plotted = plot_position(self.position)
         lengths = dict[str, float]()

@@ -17,7 +17,7 @@ def construction_traces(
 ) -> tuple[list[Line], list[Triangle]]:
     """Construction lines of a plan with ``drawn`` vectors between those marks, and the triangles to be hatched."""
     sides = list(_lines_to_false_points(plotted, plan))
-    triangles = list[Triangle]()
+    triangles = []
     for step in plotted.drawing.program.steps:
         if step.plan != plan or not isinstance(step, (Similar, Image)):
             continue
