@@ -13,7 +13,7 @@ from planes.lesson.rows import calculation_row
 from planes.lesson.steps import StepWords, Words
 from planes.plans import Plans
 from planes.words import Phrase, Told, Written, sentence_table
-from planes.words.names import Mark, name_without_plan
+from planes.words.names import name_without_plan
 from planes.words.units import number_text
 
 
@@ -82,10 +82,10 @@ class StatedWords(StepWords):
         return key, "stated" if key == "given" else reason, names
 
 
-def equations_by_last_mark(plans: Plans) -> dict[Mark, list[Equation]]:
+def equations_by_last_mark(plans: Plans) -> dict[str, list[Equation]]:
     """The equations by the mark that completes all their unknowns on the paper."""
     order = {step.makes: k for k, step in enumerate(plans.program.steps)}
-    solved_at = defaultdict(list)
+    solved_at = defaultdict[str, list[Equation]](list)
     for e in plans.equations:
         ends = {e.plan.mark(label) for t in e.all_terms for label in (t.start, t.end)} - {e.plan.pole}
         if ends and ends <= order.keys():

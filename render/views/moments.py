@@ -150,7 +150,7 @@ class Lever:
         plan = MOTION_PLAN if self.position.plans.at_rest else VELOCITY_PLAN
         plotted = plot_position(self.position)
         marks = list[Mark]()
-        lines = list[Ends]()
+        lines = []
         helping = ("false", "relative")  # not part of the loaded figure
         aside = {s.makes for s in plotted.drawing.program.steps if s.quantity_represented in helping}
         for s in plotted.drawn_segments(plan):
