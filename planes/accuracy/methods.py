@@ -79,34 +79,26 @@ def measure_methods(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[M
     long = np.resize(values, TIMED_POSITIONS)
     methods = []
 
-    def add(key: str, number: str, work: Work, timed: Array, again: Callable[[Array], object] | None = None) -> None:
+    def add(
+        key: str, work: Work, timed: Array, again: Callable[[Array], object] | None = None, number: str = ""
+    ) -> None:
         error = float(np.nanmax(bench.error(work(values), truth)))
         seconds = fastest_run_seconds(lambda: (again or work)(timed)) / len(timed)
         methods.append(Method(key, number, seconds, max(error, 2.0**-54)))
 
-    add("method_scalar", "", bench.columns_one_by_one, values)
-    add(
-        "method_batch",
-        "",
-        lambda v: bench.columns_by_loop(v, False),
-        long,
-        lambda v: bench.count_blocks_by_loop(v, False),
-    )
-    if compiled.is_compiler_available():
-        add(
-            "method_compiled",
-            "",
-            lambda v: bench.columns_by_loop(v, True),
-            long,
-            lambda v: bench.count_blocks_by_loop(v, True),
-        )
-    add("method_single", "", bench.columns_in_single_precision, long)
+    add("method_scalar", bench.columns_one_by_one, values)
+    for key, fast in (("method_batch", False), ("method_compiled", True)):
+        if not fast or compiled.is_compiler_available():
+            blocks = partial(bench.count_blocks_by_loop, fast=fast)
+            add(key, partial(bench.columns_by_loop, fast=fast), long, blocks)
+    add("method_single", bench.columns_in_single_precision, long)
     for digits in (30, 50):
-        add("method_digits", str(digits), partial(bench.columns_one_by_one, instrument=Digits(digits)), values[:12])
-    add("method_differences", "", bench.columns_by_differences, long)
-    add("method_newton", "", bench.columns_by_newton, values)
+        exact = partial(bench.columns_one_by_one, instrument=Digits(digits))
+        add("method_digits", exact, values[:12], number=str(digits))
+    add("method_differences", bench.columns_by_differences, long)
+    add("method_newton", bench.columns_by_newton, values)
     for o in (o for o in others if o.can(plans)):
-        add(o.name, "", partial(o.work, bench), long[: o.most], o.quickest(bench, values))
+        add(o.name, partial(o.work, bench), long[: o.most], o.quickest(bench, values))
     return methods + _pencil_methods(bench, values, truth)
 
 

@@ -1,7 +1,7 @@
 """The behaviour of every method on the way to a limit: errors, sharpness and claimed bounds against the distance."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -138,7 +138,7 @@ def _measure_approach(
     sharp = np.array([float(min(d.crossing_sharpness.values(), default=1.0)) if d else math.nan for d in drawings])
     crowds = [k for k in np.arange(len(distances)).reshape(POSITIONS_PER_POINT, -1).T if works[k].any()]
 
-    def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
+    def worst(row: Array, by: Work = np.max) -> Array:
         return np.array([by(row[k][works[k]]) for k in crowds])  # once refused is refused
 
     told_errors = {key: worst(row) for key, row in errors.items()}

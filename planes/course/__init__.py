@@ -27,6 +27,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from planes.scene.mechanism import nothing
+from planes.scene.settings import Words
 from planes.scene.source import Nodes
 from planes.words import Lang
 from planes.words.errors import Doubt
@@ -85,7 +86,7 @@ class Course:
     file: str
     students: Students
     assignments: Assignments
-    title: Mapping[str, str] = field(default_factory=nothing)
+    title: Words = field(default_factory=nothing)
     sheet: Nodes = field(default_factory=nothing)
     each: int = 1
     given_first: bool = True

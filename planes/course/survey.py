@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from planes.course.ledger import Sentences
 from planes.course.reading import scene_files_in
 from planes.diagrams.summary import summarise_cycle
 from planes.plans import Plans
@@ -31,7 +32,7 @@ class SurveyRow:
     solved: bool
     balancing: float | None = None
     lever: float | None = None
-    remarks: tuple[str, ...] = ()
+    remarks: Sentences = ()
 
     @property
     def difference(self) -> float | None:

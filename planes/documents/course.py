@@ -12,7 +12,7 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
 from planes.check.sheet_mark import SheetMark
 from planes.course import PLATFORMS, Course
-from planes.course.ledger import program_fingerprint
+from planes.course.ledger import Sentences, program_fingerprint
 from planes.course.numbers import missing_document_reason
 from planes.course.papers import (
     answer_key_blocks,
@@ -125,7 +125,7 @@ class Desk:
         """The student's position."""
         return note_position(self.scene, None, self.lang)
 
-    def file_contents(self, name: str) -> tuple[bytes, tuple[str, ...]]:
+    def file_contents(self, name: str) -> tuple[bytes, Sentences]:
         """The contents of one file, and the remarks about it."""
         kind, _, suffix = name.partition(".")
         if kind.startswith("sheet-"):

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from planes.check.grading.by_hand import unreliable_rate_names
+from planes.course.ledger import Sentences
 from planes.documents import constructed
 from planes.documents.graphs import graphical_constructions, views_without_position
 from planes.documents.sheets import DrawnPosition, DrivePositions, project_over_turn, sheet_of
@@ -43,8 +44,8 @@ class DrawnSheet(NamedTuple):
     a drawing by hand."""
 
     size: str
-    said: tuple[str, ...]
-    remarks: tuple[str, ...] = ()
+    said: Sentences
+    remarks: Sentences = ()
 
 
 def draw_sheet(

@@ -80,14 +80,10 @@ class Proof:
         """The magnitudes of their terms, in SI."""
         raise NotImplementedError
 
-    def residual_size(self, shown: Facts) -> Real:
-        """The size of the residual, in SI."""
-        return sum(map(shown.ar.size, self.residuals(shown)))
-
     def gap_and_comparison_size(self, shown: Facts) -> tuple[Real, Real]:
         """The gap, and the magnitude it must be small beside: a larger gap is examined again."""
         moving = sum(shown.mark_magnitude(mark) for mark in self.beside if mark in shown.things)
-        return self.residual_size(shown), sum(self.term_magnitudes(shown)) + moving
+        return sum(map(shown.ar.size, self.residuals(shown))), sum(self.term_magnitudes(shown)) + moving
 
     def numbers_for_failure(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
         """The numbers for the sentence about its failure."""

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     Floats = float | Array
     """A number of one position, or an array with one for each position."""
     FloatsByName = Mapping[str, Floats]
+    ArrayPair = tuple[Array, Array]
     Points = complex | Complexes
     """A place or a vector of one position, or an array with one for each position."""
 else:
-    Array = Complexes = Booleans = Indices = Texts = Greys = Floats = FloatsByName = Points = object
+    Array = Complexes = Booleans = Indices = Texts = Greys = Floats = FloatsByName = ArrayPair = Points = object

@@ -12,7 +12,14 @@ from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.centres import CentreFrames
-from planes.lesson.formulas import SLOT_PATTERN, UNITS_BY_LETTER, in_lesson_languages, plan_scale_text, value_slot
+from planes.lesson.formulas import (
+    SLOT_PATTERN,
+    UNITS_BY_LETTER,
+    in_brackets,
+    in_lesson_languages,
+    plan_scale_text,
+    value_slot,
+)
 from planes.lesson.frame import Frame, Frames, with_chapters
 from planes.lesson.free_bodies import FreeBodies
 from planes.lesson.moments import as_positions, moment_words
@@ -79,7 +86,7 @@ class Teller:
     def lesson_frames(self) -> Frames:
         """All frames, in drawing order."""
         put = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
-        names = ", ".join(f"⟨{name_without_plan(p.makes)}⟩" for p in put if not p.is_auxiliary_mark)
+        names = in_brackets(name_without_plan(p.makes) for p in put if not p.is_auxiliary_mark)
         key = "points" if self.plans.figure else "fixed"
         frames = [self.make_frame(key, SCHEME_PLAN, tuple(p.makes for p in put), names=names)] if put else []
         readings = []

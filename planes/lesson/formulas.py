@@ -9,7 +9,7 @@ in ⟨…⟩.
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from planes.drafting.steps.reckoning import Calculate, Product
@@ -46,6 +46,11 @@ def in_lesson_languages(say_in: Callable[[Lang], One]) -> dict[Lang, One]:
 def sentence_in_lesson_languages(key: str, **names: object) -> dict[Lang, str]:
     """A sentence of the table in every language of lessons."""
     return in_lesson_languages(Phrase(key, **names).told)
+
+
+def in_brackets(names: Iterable[str]) -> str:
+    """Names for a sentence, each to be lettered."""
+    return ", ".join(f"⟨{name}⟩" for name in names)
 
 
 def unit_of_name(name: str, key: str = "") -> Phrase | Written:

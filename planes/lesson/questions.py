@@ -8,6 +8,7 @@ from itertools import count
 
 from planes.diagrams.summary import Summary, summary_of_scene
 from planes.diagrams.text import stroke_sentences
+from planes.lesson.formulas import in_brackets
 from planes.lesson.note import Note
 from planes.plans.assur.alignment import group_pairs
 from planes.plans.assur.groups import Group, Pair
@@ -103,8 +104,8 @@ class Questions(Note):
             "curve": self.naming.lettered_curve(driven_link_curves(p.plans)[0]),
             "mu": self.scale_text(SCHEME_PLAN),
             "balancing": f"⟨{p.plans.balancing}⟩",
-            "reactions": ", ".join(f"⟨{name}⟩" for name in p.of("reactions")),
-            "loads": ", ".join(f"⟨{name}⟩" for name in names_of_loads(self.m)) or "—",
+            "reactions": in_brackets(p.of("reactions")),
+            "loads": in_brackets(names_of_loads(self.m)) or "—",
         }
 
     @cached_property

@@ -27,6 +27,7 @@ from planes.scene.parameters import (
 )
 from planes.scene.paths import entries_of_table, line_of_path
 from planes.scene.reader import Fields, Reader
+from planes.scene.settings import Words
 from planes.scene.source import Nodes
 from planes.scene.vector_equations import VectorEquation
 from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own_equations
@@ -61,8 +62,8 @@ class Scene(Pictured):
     """
 
     file: str = ""
-    title: Mapping[str, str] = field(default_factory=nothing)
-    note: Mapping[str, str] = field(default_factory=nothing)
+    title: Words = field(default_factory=nothing)
+    note: Words = field(default_factory=nothing)
     reading: ReadWith = field(default_factory=ReadWith)
     mechanism: Mechanism | None = None
     statement: Statement | None = None

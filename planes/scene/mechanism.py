@@ -26,6 +26,9 @@ Where = Mapping[NameTuple, int]
 nothing = partial(MappingProxyType, {})  # an empty table that cannot be changed
 
 
+PlacesByName = Mapping[str, complex]
+
+
 @frozen
 class Guide:
     """A straight guide in the axes of its link: the line through ``through`` towards ``angle_deg``."""
@@ -78,7 +81,7 @@ class Link:
     """A rigid link: points and guides in its own axes. A ``mass`` or ``inertia`` of ``None`` was not given."""
 
     name: str
-    points: Mapping[str, complex]
+    points: PlacesByName
     guides: Mapping[str, Guide] = field(default_factory=nothing)
     slides: Slide | None = None
     mass: float | None = None

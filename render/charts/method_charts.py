@@ -15,7 +15,7 @@ from matplotlib.ticker import MultipleLocator
 from planes.accuracy.methods import Method
 from planes.accuracy.stability import Approach
 from planes.accuracy.turning import Turning
-from planes.geometry.arrays import Array, Booleans, Indices
+from planes.geometry.arrays import Array, ArrayPair, Booleans, Indices
 from planes.words import Lang, say
 from render.charts import CURVE_LOOKS, FILE_CHART_STYLE, annotate_beside, save_figure
 
@@ -238,7 +238,7 @@ def draw_turning(plot: Axes, turn: Turning, axis: str, lang: Lang) -> None:
     plot.set_yticks(ticks, [f"{t:.3g}" for t in ticks])
 
 
-def _break_curve_at_edges(values: Array, lengths: Array, low: float, high: float) -> tuple[Array, Array]:
+def _break_curve_at_edges(values: Array, lengths: Array, low: float, high: float) -> ArrayPair:
     """A curve shifted into the chart's turn of the drive, broken where it crosses its edge."""
     inside = (values - low) % (high - low) + low
     inside = np.where((values < low) | (values > high), inside, values)

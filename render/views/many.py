@@ -3,7 +3,7 @@
 import cmath
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import groupby, pairwise
 from statistics import median
@@ -12,7 +12,7 @@ import numpy as np
 
 from planes.geometry.plane import perpendicular_foot
 from planes.plans import Plans
-from planes.scene.mechanism import FRAME, Link
+from planes.scene.mechanism import FRAME, Link, PlacesByName
 from planes.words import Lang, say
 from planes.words.frozen import frozen
 from planes.words.names import NumbersByName
@@ -34,7 +34,7 @@ DRAWN_REACH_RATIO = 1.3  # and the limit if it grows beyond that: positions fart
 class PlacedMechanism:
     """A mechanism in one position: the places of its points, in m, and the angles of its links, in degrees."""
 
-    points: Mapping[str, complex]
+    points: PlacesByName
     angles: NumbersByName
 
 
@@ -90,11 +90,6 @@ class ManyPositions:
     def fits_on_paper(self, result: PlacedMechanism | None) -> bool:
         """Whether a position exists and fits on the paper."""
         return result is not None and self.position_reach(result) <= self.most_reach
-
-    @cached_property
-    def turn_with_fit(self) -> list[tuple[PlacedMechanism | None, bool]]:
-        """The finer turn, with whether each of its positions fits on the paper."""
-        return [(result, self.fits_on_paper(result)) for result in self.turn]
 
     @cached_property
     def marks(self) -> list[Mark]:
@@ -163,8 +158,8 @@ class ManyPositions:
         """Paths, dashed."""
         dashed = list[Mark]()
         for point in self.points_with_paths:
-            for there, places in groupby(self.turn_with_fit, key=lambda one: one[1]):
-                run = [self.place_on_paper(result, point) for result, _ in places if result and there]
+            for there, places in groupby(self.turn, key=self.fits_on_paper):
+                run = [self.place_on_paper(result, point) for result in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
                     dashed.append(Line(tuple(run[self.one_way_slice(point, run)]), "dash", "construction"))
         return dashed
