@@ -12,12 +12,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import reduce
 from itertools import pairwise, product
-from math import comb, gcd, lcm
+from math import comb, lcm
 
 from planes.geometry.arithmetic import EPS
 from planes.geometry.real_roots import Line, isolate_real_roots, narrow_down_root
 from planes.geometry.searched import exact_parts
 from planes.geometry.sextic import Counted
+from planes.geometry.sturm import primitive_polynomial
 from planes.geometry.tracks import Pose, Tie, Ties, newton_step
 
 SLANT_FACTORS = (53, 31)  # the unknown u = 53x + 31y: no two crossings of a symmetrical figure share it
@@ -147,19 +148,13 @@ def _resultant_in_u(tracks: list[Plane]) -> Line:
         shifted = [Fraction(0), *poly]
         poly = [s - k * p for s, p in zip(shifted, [*poly, Fraction(0)], strict=True)]
         poly[0] += differences[k]
-    while poly and not poly[-1]:
-        poly.pop()
-    below = lcm(*(q.denominator for q in poly)) if poly else 1
-    integers = [int(q * below) for q in poly]
-    common = gcd(*integers) or 1
-    return [q // common for q in integers]
+    return [int(q) for q in primitive_polynomial(poly)]
 
 
 def _sylvester_matrix(one: Coefficients, two: Coefficients) -> list[list[int]]:
-    m = len(one) - 1
-    n = len(two) - 1
-    rows = [[0] * k + one[::-1] + [0] * (n - 1 - k) for k in range(n)]
-    return [[int(q) for q in row] for row in rows + [[0] * k + two[::-1] + [0] * (m - 1 - k) for k in range(m)]]
+    counted = (one, len(two) - 1), (two, len(one) - 1)
+    rows = ([0] * k + poly[::-1] + [0] * (n - 1 - k) for poly, n in counted for k in range(n))
+    return [[int(q) for q in row] for row in rows]
 
 
 def _determinant(rows: list[list[int]]) -> int:

@@ -117,17 +117,13 @@ def signed_moment_terms(
     letters = numbers = ""
     for i, term in enumerate(step.terms):
         if i not in drop:
-            product = _without_divisor(term, without)
+            product = Product(term.coefficient, tuple(f for f in term.factors if f != (without, -1)))
             names = [n for n, power in product.factors if power % 2]
             names += [arm, sought] if sought else [arm] * bool(arm and arm == without)
             sense = value_slot(("−" if term.coefficient < 0 else "") + "*".join(names), "join" if letters else "lead")
             letters += sense + _product_text(product, size)[1]
             numbers += sense + _product_text(product, lambda n: value_slot(n, "a"))[1]
     return letters, numbers
-
-
-def _without_divisor(term: Product, without: str) -> Product:
-    return Product(term.coefficient, tuple(f for f in term.factors if f != (without, -1)))
 
 
 def _product_text(term: Product, say: Callable[[str], str]) -> tuple[bool, str]:

@@ -23,7 +23,7 @@ from render.paper.symbols import Marks, dot
 from render.views.arms import Arm, Arms, arm_length_mm, arm_steps_by_result, nonzero_terms, with_unseen_arm_names
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
-from render.views.plotted import Ends, group_names_by_place, plot_position, scheme_mu
+from render.views.plotted import Ends, group_names_by_place, length_of, plot_position, scheme_mu
 from render.views.senses import marks_with_labels
 
 
@@ -157,7 +157,7 @@ class Lever:
             if {*s.ends} & aside:
                 continue
             ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
-            if abs(ends[1] - ends[0]) > ZERO_VECTOR_MM:
+            if length_of(ends) > ZERO_VECTOR_MM:
                 marks.append(Line(ends, "thick" if s.start == POLE_LABEL else "thin", "plan"))
                 lines.append(ends)
         letters = (

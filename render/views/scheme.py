@@ -19,7 +19,15 @@ from render.paper.marks import Line, Mark
 from render.paper.style import HINGE_RADIUS_MM, INNER_BLOCK_SIZE_MM, OUTER_BLOCK_SIZE_MM, SLIDER_BLOCK_SIZE_MM
 from render.paper.symbols import Marks
 from render.views.hinges import base_angle
-from render.views.plotted import SAME_PLACE_MM, Ends, Places, direction_deg, link_outline, nearest_outline_point
+from render.views.plotted import (
+    SAME_PLACE_MM,
+    Ends,
+    Places,
+    direction_deg,
+    length_of,
+    link_outline,
+    nearest_outline_point,
+)
 from render.views.round_guides import round_slider_marks
 from render.views.senses import driver_arrows, marks_with_labels
 
@@ -233,7 +241,7 @@ class Scheme:
         clear = 0.0
         at: complex | Ends | None = None
         if len(outline) > 1:
-            at = max(pairwise((*outline, outline[0])), key=lambda e: abs(e[1] - e[0]))
+            at = max(pairwise((*outline, outline[0])), key=length_of)
         elif link.slides:
             foot, along = self.places.foot_on_guide(link)
             long, wide = self.block_size(link)
