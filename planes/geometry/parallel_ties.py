@@ -16,6 +16,7 @@ from planes.geometry.sextic import (
     Counted,
     Laurent,
     axis_of_half_tangent,
+    constant,
     half_tangent_polynomial,
     refine_pose,
     tie_coefficients,
@@ -66,8 +67,8 @@ class Parallel:
         parallel to both."""
         a, b = self.first_tie_coefficients
         if self.beside.kind == "arc":
-            reach = Laurent.from_doubles({0: self.beside.reach})
-            four = Laurent.from_doubles({0: 4})
+            reach = constant(self.beside.reach)
+            four = constant(4)
             return reach * reach * four * a * a.conjugate() - b * b
         e, _ = tie_coefficients(self.beside, self.beside)
         return (e.conjugate() * a - e * a.conjugate()).times_i()

@@ -8,7 +8,7 @@ contains exactly one root.
 from collections.abc import Sequence
 from fractions import Fraction
 
-from planes.geometry.sextic import Counted
+from planes.geometry.sextic import Counted, exact_parts
 from planes.geometry.tracks import Pose, Tie, Ties, carrier_links, newton_step
 from planes.words.frozen import frozen, replace
 
@@ -102,7 +102,7 @@ def is_proved_assembly(ties: Ties, pose: Pose) -> bool:
     import numpy as np
 
     equations = tie_equations(ties, len(pose) - 1)
-    x = [Fraction(v) for z in pose for v in (z.real, z.imag)]
+    x = [part for z in pose for part in exact_parts(z)]
     slopes = [e.gradient(x) for e in equations]
     try:
         inverse = np.linalg.inv(np.array(slopes, float))
@@ -145,11 +145,10 @@ def _tie_equation(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     turn = exact_parts(t.turn)
     reach = Fraction(t.reach)
     fixed = _constant_form(place[0], width), _constant_form(place[1], width)
+    x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
     if t.kind == "arc":
-        x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
         return Quadratic(((x, x), (y, y)), _constant_form(-reach * reach, width))
     if t.kind == "line":
-        x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
         height = [turn[0] * q - turn[1] * p for p, q in zip(x, y, strict=True)]
         return Quadratic((), [*height[:-1], height[-1] - reach])
     x, y = _subtract_spots(fixed, origin)
@@ -157,11 +156,6 @@ def _tie_equation(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     local = exact_parts(t.local)
     beside = turn[0] * local[1] - turn[1] * local[0]  # direction of the guide, in the link's axes
     return Quadratic(((u, y), ([-q for q in v], x)), _constant_form(-beside - reach, width))
-
-
-def exact_parts(z: complex) -> tuple[Fraction, Fraction]:
-    """Both parts of a complex number, as exact binary fractions."""
-    return Fraction(complex(z).real), Fraction(complex(z).imag)
 
 
 def _unknown_form(k: int, width: int) -> Affine:

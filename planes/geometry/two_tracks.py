@@ -16,9 +16,8 @@ from math import comb, lcm
 
 from planes.geometry.arithmetic import EPS
 from planes.geometry.real_roots import Line, isolate_real_roots, narrow_down_root
-from planes.geometry.searched import exact_parts
-from planes.geometry.sextic import Counted
-from planes.geometry.sturm import primitive_polynomial
+from planes.geometry.sextic import Counted, exact_parts
+from planes.geometry.sturm import Polynomial, primitive_polynomial
 from planes.geometry.tracks import Pose, Tie, Ties, newton_step
 
 SLANT_FACTORS = (53, 31)  # the unknown u = 53x + 31y: no two crossings of a symmetrical figure share it
@@ -143,7 +142,7 @@ def _resultant_in_u(tracks: list[Plane]) -> Line:
         differences.append(Fraction(table[0], factorial))
         table = [b - a for a, b in pairwise(table)]
         factorial = factorial * (k + 1)
-    poly: list[Fraction] = []
+    poly: Polynomial = []
     for k in reversed(range(degree + 1)):  # Newton's form, expanded from the inside
         shifted = [Fraction(0), *poly]
         poly = [s - k * p for s, p in zip(shifted, [*poly, Fraction(0)], strict=True)]

@@ -29,7 +29,7 @@ from planes.scene.paths import entries_of_table, line_of_path
 from planes.scene.reader import Fields, Reader
 from planes.scene.settings import Words
 from planes.scene.source import Nodes
-from planes.scene.vector_equations import VectorEquation
+from planes.scene.vector_equations import VectorEquations
 from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own_equations
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
@@ -75,7 +75,7 @@ class Scene(Pictured):
     missing: Mapping[str, str] = field(default_factory=nothing)
     doubts: tuple[Doubt, ...] = ()
     mu_written: Convention | None = None
-    equations: tuple[VectorEquation, ...] = ()  # the user's equations beside a mechanism
+    equations: VectorEquations = ()  # the user's equations beside a mechanism
 
     @property
     def variant(self) -> str | None:

@@ -47,6 +47,9 @@ class VectorEquation:
         return tuple(t.name for side in self.sides for t in side)
 
 
+VectorEquations = tuple[VectorEquation, ...]
+
+
 def read_equation(text: str, number: Number, line: int, chained: bool = True) -> VectorEquation:
     """Read "v_S = v_B + 0.4*v_CB", "F_1 + F_30 - F_03 = 0" or "a_C = a_B + a_CB^n + a_CB^t = a_D + …"; ``number``
     evaluates a coefficient; in an equation that is not ``chained`` the vectors need not follow one another.

@@ -1,7 +1,7 @@
 """Charts of methods: speed against accuracy with its front, errors on the way to a limit, and turning curves."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import cycle
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from planes.accuracy.stability import Approach
 from planes.accuracy.turning import Turning
 from planes.geometry.arrays import Array, ArrayPair, Booleans, Indices
 from planes.words import Lang, say
+from planes.words.names import NamesByName
 from render.charts import CURVE_LOOKS, FILE_CHART_STYLE, annotate_beside, save_figure
 
 METHOD_COLOURS = (
@@ -60,7 +61,7 @@ def draw_method_charts(
     seconds: str,
     way: Approach | None,
     axis: str,
-    names: Mapping[str, str],
+    names: NamesByName,
     lang: Lang,
     turn: tuple[Turning, str] | None = None,
 ) -> None:
@@ -188,7 +189,7 @@ def conclusion_of_stability(way: Approach, lang: Lang) -> str:
     return say(key, lang, near=power_of_ten(min(kept, default=max(way.distances))))
 
 
-def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], lang: Lang) -> None:
+def draw_approach(plot: Axes, way: Approach, axis: str, names: NamesByName, lang: Lang) -> None:
     """Errors of every method on the way to a limit, the claimed one as a band."""
     plot.set(xscale="log", yscale="log", xlabel=axis, ylabel=say("chart_at", lang))
     plot.set_title(say(f"chart_{way.limit.kind}", lang), fontsize=10)

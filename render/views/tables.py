@@ -10,7 +10,7 @@ from itertools import zip_longest
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.force.loads import name_of_force
 from planes.plans.structures.figure import Strain, member_strains
-from planes.scene.vector_equations import VectorEquation
+from planes.scene.vector_equations import VectorEquations
 from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_equation_rows
@@ -40,7 +40,7 @@ class Tables:
     letter: float = 3.5
     parameters: NumbersByName = field(default_factory=dict)
     once: Callable[[tuple[object, ...], Callable[[], View]], Tabled] = lambda key, make: make()
-    own: tuple[tuple[VectorEquation, ...], str] = ((), "")  # the user's equations, and their file
+    own: tuple[VectorEquations, str] = ((), "")  # the user's equations, and their file
 
     def vectors_table(self) -> Tabled:
         """Length on its plan, magnitude and direction of every vector in a scene of vectors."""

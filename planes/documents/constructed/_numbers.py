@@ -1,7 +1,6 @@
 """The numbers of a construction: the free ones of the scene, and formulas for those computed from them."""
 
 import math
-from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
@@ -12,7 +11,7 @@ from planes.documents.constructed import LiveFigure
 from planes.drafting.tools import Env, Things
 from planes.geometry.arithmetic import Point, Real
 from planes.lesson.dimensions import FreeNumbers
-from planes.words.names import NumbersByName
+from planes.words.names import NamesByName, NumbersByName
 from render.files.ggb import geogebra_number
 
 MOST_FORMULA_LETTERS = 2000  # letters of a formula: a number with a longer one stays a number
@@ -94,7 +93,7 @@ class GivenNumbers:
             return [thing.real, thing.imag]
         return [thing]
 
-    def coordinate_formulas(self, name: str, labels: Mapping[str, str]) -> list[str]:
+    def coordinate_formulas(self, name: str, labels: NamesByName) -> list[str]:
         """A computed number, or both coordinates of a place, by the ``labels`` of the free ones."""
         tape = self._tape[0]
         home: Any = self.given[name]
@@ -106,7 +105,7 @@ class GivenNumbers:
         return formulas
 
 
-def tape_formula(tape: Tape, place: int, labels: Mapping[str, str]) -> str:
+def tape_formula(tape: Tape, place: int, labels: NamesByName) -> str:
     """A number of a tape as a formula, "" where it uses an operation without a formula here."""
     op, args = tape.ops[place]
     if op == "const":
