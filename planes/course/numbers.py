@@ -29,7 +29,7 @@ from planes.words.names import NamePair, NamesByName, NameTuple
 from planes.words.records import Json
 from planes.words.units import UNIT_OF_RATE_LETTER
 
-Answers = dict[tuple[str, str], float]  # by name and unit
+Answers = dict[NamePair, float]  # by name and unit
 SETTLED_FILE_NAME = "scene.yaml"
 SCALE_KEYS_LEFT_OUT = ("plans",)
 """Keys of a scene that are left out where numbers are drawn: its scales were chosen for its own."""

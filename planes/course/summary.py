@@ -52,7 +52,7 @@ def rows_by_assignment(rows: Sequence[StudentRow]) -> dict[str, list[StudentRow]
     return {name: [row for row in rows if row.share.assignment.name == name] for name in names}
 
 
-def answer_names_and_units(rows: Sequence[StudentRow]) -> list[tuple[str, str]]:
+def answer_names_and_units(rows: Sequence[StudentRow]) -> list[NamePair]:
     """Names and units of all answers of some rows."""
     return list(dict.fromkeys(key for row in rows for key in row.found))
 

@@ -2,7 +2,7 @@
 
 import json
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -82,7 +82,7 @@ def folders_by_file_name(course: Course) -> NamesByName:
     return {n: side.get(d, "teacher") for d in course.documents for n in known.get(d, [f"{d}.pdf"])}
 
 
-def files_of_scene(names: Mapping[str, str], scene: Scene) -> NameTuple:
+def files_of_scene(names: NamesByName, scene: Scene) -> NameTuple:
     """Those of the files that a scene has: stated vectors have one sheet."""
     return tuple(n for n in names if scene.mechanism or not n.startswith("sheet-2"))
 

@@ -94,7 +94,6 @@ class Note:
 
     def opening_blocks(self) -> Blocks:
         """Title, task and given numbers."""
-        plans = self.plans
         drive = self.plans.drive
         title = text_in(self.lang, self.scene.title)
         yield self.title_page_blocks(title)
@@ -107,7 +106,7 @@ class Note:
         head = tuple(map(self.say, ("quantity", "value", "note_unit")))
         given = GivenTable(self.position, self.naming, self.scene.used)
         yield from self.numbered_table(self.given_table, head, [*given.given_rows(), *given.load_law_rows()])
-        yield from map(Paragraph, condition_sentences(plans, self.lang))
+        yield from map(Paragraph, condition_sentences(self.plans, self.lang))
         if remark := text_in(self.lang, self.scene.note):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 

@@ -20,9 +20,9 @@ from planes.solving.document import Block, Blocks, Chart, Figure, Heading, Parag
 from planes.words import put_decimal_signs, sentence_table
 from planes.words.frozen import replace
 from planes.words.lettering import without_index_markup
-from planes.words.names import RATE_PLANS, SCHEME_PLAN, NamePair, PlanTuple
+from planes.words.names import RATE_PLANS, SCHEME_PLAN, NamePair, NamesByName, PlanTuple
 
-QUESTIONS_BY_CHAPTER: Mapping[str, str] = {
+QUESTIONS_BY_CHAPTER: NamesByName = {
     "structure": "link pair chain apart mobility surplus synthesis groups classes",
     "kinematics": "extremes graph scheme order polygons omega similar analytic normal coriolis size_k",
     "forces": "tasks external stages before determinate reactions inertia last statics_surplus",

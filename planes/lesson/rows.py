@@ -16,7 +16,7 @@ from planes.lesson.formulas import (
 )
 from planes.words import Lang, say, sentences_with_prefix
 from planes.words.frozen import frozen
-from planes.words.names import split_value_name
+from planes.words.names import NamePair, split_value_name
 from planes.words.records import Json
 
 REMARKED_ROW_KINDS = ("reduced", "couple", "couple_settled")  # kinds of lines that need a remark
@@ -64,7 +64,7 @@ class Row:
         keys = ("name", "kind", "head", "letters", "numbers", "value", "arm", "turns")
         return {k: z for k, z in {**{k: getattr(self, k) for k in keys}, "unit": self.unit_word_key}.items() if z}
 
-    def slots_of_numbers(self) -> Iterator[tuple[str, str]]:
+    def slots_of_numbers(self) -> Iterator[NamePair]:
         """Its numbers: how they are written, and of which values."""
         more = value_slot(self.arm, "a") if self.arm else ""
         sense = value_slot(self.name, "s") if self.turns else ""

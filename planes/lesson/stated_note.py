@@ -28,9 +28,8 @@ class StatedNote(Note):
 
     def wanted_results(self) -> Sequence[str]:
         """The requested results, or all vectors without given data, and the values."""
-        plans = self.plans
         given = self.given_vectors()
-        return names_to_find(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
+        return names_to_find(self.scene) or [*(n for n in self.plans.vectors if n not in given), *self.plans.values]
 
     def given_vectors(self) -> set[str]:
         """The vectors with given length and direction."""

@@ -11,6 +11,7 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.naming import Naming
 from render.labels import Label
+from render.labels.candidates import Size
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark, Text, move_mark
 from render.paper.style import HINGE_RADIUS_MM
@@ -81,7 +82,7 @@ class AlignedScheme(Scheme):
                 self.named[k] = replace(label, text=text, clear=CUP_RADIUS_MM)
 
 
-def _bushing_edges(foot: complex, angle: float, size: tuple[float, float]) -> Marks:
+def _bushing_edges(foot: complex, angle: float, size: Size) -> Marks:
     """Short strokes over both ends of a slider's block: the edges of its bore."""
     along = symbols.unit_vector(angle)
     long, wide = size

@@ -14,6 +14,7 @@ from planes.solving import Position
 from planes.words.names import POLE_LABEL, NameTuple, guide_end_letters
 from planes.words.naming import Naming
 from render.labels import Label
+from render.labels.candidates import Size
 from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.paper.style import HINGE_RADIUS_MM, INNER_BLOCK_SIZE_MM, OUTER_BLOCK_SIZE_MM, SLIDER_BLOCK_SIZE_MM
@@ -139,7 +140,7 @@ class Scheme:
                     Label(self.naming.lettered_point(letter), end, 3.5, name=f"guide {link.slides.guide}")
                 )
 
-    def block_size(self, link: Link) -> tuple[float, float]:
+    def block_size(self, link: Link) -> Size:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
         if (other := self.slider_in_same_place(link)) is None:
             return SLIDER_BLOCK_SIZE_MM
