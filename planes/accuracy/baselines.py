@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from planes.geometry.arithmetic import Point
-from planes.geometry.arrays import Array
+from planes.geometry.arrays import Array, ArrayPair
 from planes.plans import Plans
 from planes.plans.assur.groups import Pair
 from planes.scene.mechanism import FRAME
@@ -149,7 +149,7 @@ class Loops:
                 break
         return q
 
-    def pose_rates(self, q: Array, velocity: float, acceleration: float) -> tuple[Array, Array]:
+    def pose_rates(self, q: Array, velocity: float, acceleration: float) -> ArrayPair:
         """Velocities and accelerations of the pose, from the linear system of the constraints."""
         slopes = self.constraint_jacobian(q)
         drive = np.zeros(len(slopes))

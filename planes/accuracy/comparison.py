@@ -14,7 +14,7 @@ from planes.batch.tracing import given_values_by_name
 from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.instruments import Instrument
 from planes.geometry.arithmetic import Real
-from planes.geometry.arrays import Array, Floats
+from planes.geometry.arrays import Array, FloatsByName
 from planes.plans import Plans
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
@@ -36,7 +36,7 @@ class Comparison:
     def __init__(
         self,
         plans: Plans,
-        known: Mapping[str, Floats] | None = None,
+        known: FloatsByName | None = None,
         variants: Sequence[Plans] | None = None,
         begins: frozenset[int] = frozenset({0}),
     ) -> None:
@@ -153,7 +153,7 @@ class Comparison:
         """Closed loops by iteration; each position of a path starts from the one before."""
         drive = self.plans.drive
         q = np.empty(0)
-        poses = list[Mapping[str, Triple]]()
+        poses = []
         for k, value in enumerate(values):
             plans = self.plans_at(k)
             loops = Loops(plans)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from planes.geometry.arrays import Array
+from planes.geometry.arrays import Array, ArrayPair
 from planes.words.frozen import frozen
 
 Equations = Callable[[Array], Array]
@@ -87,7 +87,7 @@ class Curves:
         """The direction in which no equation changes."""
         return np.asarray(np.linalg.svd(self._residuals_and_derivatives(place)[1])[2][-1])
 
-    def _residuals_and_derivatives(self, place: Array) -> tuple[Array, Array]:
+    def _residuals_and_derivatives(self, place: Array) -> ArrayPair:
         """The residuals at a place, and their derivatives."""
         by = DERIVATIVE_STEP * np.eye(len(place))
         left = self.equations(place[:, None] + np.hstack([np.zeros((len(place), 1)), by, -by]))
@@ -117,7 +117,7 @@ class Curves:
                 return
             step = min(2 * step, self.room.step)
 
-    def _next_place_on_curve(self, place: Array, way: Array, step: float) -> tuple[Array, Array] | None:
+    def _next_place_on_curve(self, place: Array, way: Array, step: float) -> ArrayPair | None:
         """The next place and direction, if the curve turns little on the way."""
         ahead = self.settle_on_curve(place + step * way)
         if ahead is None or abs(np.linalg.norm(ahead - place) / step - 1) > 0.1:

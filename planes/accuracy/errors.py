@@ -94,7 +94,7 @@ def add_errors_to_results(solved: Solved, instrument: Instrument | None = None) 
     if not drawn:
         return
     wanted = None if solved.wanted is None else [q.name for q in solved.wanted]
-    ready: dict[int, Errors] = {}  # one for each choice of leads, where other leads meet
+    ready = {}  # one for each choice of leads, where other leads meet
     for position in drawn:
         plans = position.plans
         if id(plans) not in ready:

@@ -7,12 +7,12 @@ links in hinges the assemblies are followed over the grid (``sheets``).
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cached_property, partial
 
 import numpy as np
 
-from planes.accuracy.continuation import Curves, Room
+from planes.accuracy.continuation import Curves, Equations, Room
 from planes.accuracy.sheets import Sheets
 from planes.accuracy.variation import growth_of_givens
 from planes.drafting.drawing import Drawing, draw_program
@@ -73,8 +73,8 @@ class LengthField:
         """The steps with several solutions, except those attached to a track; for a link with one track, one of
         them."""
         steps: dict[object, Step] = {}
-        for step in self.plans.program.steps:
-            if isinstance(step, TwoPlaces | TrackStep) and not self._cuts_tracks(self.program_for_step(step)):
+        for step in (s for s in self.plans.program.steps if isinstance(s, TwoPlaces | TrackStep)):
+            if not any(isinstance(s, TrackStep) for s in self.program_for_step(step).steps):
                 steps.setdefault(step.holds if isinstance(step, TrackStep) else step, step)
         return list(steps.values())
 
@@ -83,10 +83,6 @@ class LengthField:
         """Whether the list is complete."""
         several = (s for s in self.plans.program.steps if isinstance(s, TwoPlaces | TrackStep))
         return all(s in self.steps_with_several_solutions or s in self.track_cutting_steps for s in several)
-
-    @staticmethod
-    def _cuts_tracks(program: Program) -> bool:
-        return any(isinstance(s, TrackStep) for s in program.steps)
 
     def program_for_step(self, step: Step) -> Program:
         """The steps that a given step needs."""
@@ -98,7 +94,7 @@ class LengthField:
         given = {name: self.base[name] + slope * longer for name, slope in self.slopes.items()}
         return draw_program(program, {**self.base, **given, self.plans.drive_given_name: self.drive_value(x)})
 
-    def opening_function(self, step: TwoPlaces) -> Callable[[Array], Array]:
+    def opening_function(self, step: TwoPlaces) -> Equations:
         """The opening of a step at places (drive, length)."""
         program = self.program_for_step(step)
 
@@ -125,7 +121,7 @@ class LengthField:
             / POLYNOMIAL_SAMPLE_ANGLES
         )
 
-    def fold_function(self, step: TrackStep) -> Callable[[Array], Array]:
+    def fold_function(self, step: TrackStep) -> Equations:
         """The closure of a link and its derivative at places (drive, length, angle of the link)."""
         program, powers = (
             self.program_for_step(step),

@@ -2,7 +2,7 @@
 
 import os
 import platform
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -16,7 +16,7 @@ from planes.accuracy.digits import Digits
 from planes.batch import compiled
 from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.instruments import Pencil
-from planes.geometry.arithmetic import Point
+from planes.drafting.tools import Things
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.columns import Column
@@ -24,6 +24,7 @@ from planes.plans.scales import PLAN_FIT_MM, plan_scales
 from planes.words import Lang, say, sentence_table
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
+from planes.words.names import NumbersByName
 
 TIMED_POSITIONS = 100_000
 SCALE_FACTOR_BY_FORMAT = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
@@ -78,34 +79,26 @@ def measure_methods(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[M
     long = np.resize(values, TIMED_POSITIONS)
     methods = []
 
-    def add(key: str, number: str, work: Work, timed: Array, again: Callable[[Array], object] | None = None) -> None:
+    def add(
+        key: str, work: Work, timed: Array, again: Callable[[Array], object] | None = None, number: str = ""
+    ) -> None:
         error = float(np.nanmax(bench.error(work(values), truth)))
         seconds = fastest_run_seconds(lambda: (again or work)(timed)) / len(timed)
         methods.append(Method(key, number, seconds, max(error, 2.0**-54)))
 
-    add("method_scalar", "", bench.columns_one_by_one, values)
-    add(
-        "method_batch",
-        "",
-        lambda v: bench.columns_by_loop(v, False),
-        long,
-        lambda v: bench.count_blocks_by_loop(v, False),
-    )
-    if compiled.is_compiler_available():
-        add(
-            "method_compiled",
-            "",
-            lambda v: bench.columns_by_loop(v, True),
-            long,
-            lambda v: bench.count_blocks_by_loop(v, True),
-        )
-    add("method_single", "", bench.columns_in_single_precision, long)
+    add("method_scalar", bench.columns_one_by_one, values)
+    for key, fast in (("method_batch", False), ("method_compiled", True)):
+        if not fast or compiled.is_compiler_available():
+            blocks = partial(bench.count_blocks_by_loop, fast=fast)
+            add(key, partial(bench.columns_by_loop, fast=fast), long, blocks)
+    add("method_single", bench.columns_in_single_precision, long)
     for digits in (30, 50):
-        add("method_digits", str(digits), partial(bench.columns_one_by_one, instrument=Digits(digits)), values[:12])
-    add("method_differences", "", bench.columns_by_differences, long)
-    add("method_newton", "", bench.columns_by_newton, values)
+        exact = partial(bench.columns_one_by_one, instrument=Digits(digits))
+        add("method_digits", exact, values[:12], number=str(digits))
+    add("method_differences", bench.columns_by_differences, long)
+    add("method_newton", bench.columns_by_newton, values)
     for o in (o for o in others if o.can(plans)):
-        add(o.name, "", partial(o.work, bench), long[: o.most], o.quickest(bench, values))
+        add(o.name, partial(o.work, bench), long[: o.most], o.quickest(bench, values))
     return methods + _pencil_methods(bench, values, truth)
 
 
@@ -128,12 +121,12 @@ def _pencil_methods(bench: Comparison, values: Array, truth: Array) -> list[Meth
     return methods
 
 
-def _try_pencil_drawing(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:
+def _try_pencil_drawing(bench: Comparison, given: Things, pencil: Pencil) -> None:
     with suppress(PlanFailure):
         draw_program(bench.cycle.program, given, pencil)
 
 
-def _column_by_ruler(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:
+def _column_by_ruler(column: Column, drawing: Drawing, mus: NumbersByName, ruler: float) -> Array:
     """A column as read with the ruler."""
     mu = mus["mu_" + column.start.plan]
     size = np.broadcast_to(column.read_from_drawing(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu

@@ -1,7 +1,7 @@
 """The behaviour of every method on the way to a limit: errors, sharpness and claimed bounds against the distance."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -112,10 +112,7 @@ def _neighbouring_ways(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
 
 def methods_to_try(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
     """All methods to be tried, ours before others'."""
-    works: dict[str, Work] = {
-        "method_scalar": bench.columns_one_by_one,
-        "method_batch": lambda v: bench.columns_by_loop(v, False),
-    }
+    works = {"method_scalar": bench.columns_one_by_one, "method_batch": lambda v: bench.columns_by_loop(v, False)}
     if compiled.is_compiler_available():
         works["method_compiled"] = lambda v: bench.columns_by_loop(v, True)
     works["method_digits"] = lambda v: bench.columns_one_by_one(v, Digits(30))
@@ -141,7 +138,7 @@ def _measure_approach(
     sharp = np.array([float(min(d.crossing_sharpness.values(), default=1.0)) if d else math.nan for d in drawings])
     crowds = [k for k in np.arange(len(distances)).reshape(POSITIONS_PER_POINT, -1).T if works[k].any()]
 
-    def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
+    def worst(row: Array, by: Work = np.max) -> Array:
         return np.array([by(row[k][works[k]]) for k in crowds])  # once refused is refused
 
     told_errors = {key: worst(row) for key, row in errors.items()}

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from planes.drafting.draft import Draft
-from planes.drafting.tools import Thing, Things
+from planes.drafting.tools import Env, Things
 from planes.plans import Plans, plans_of
 from planes.plans.assur.groups import Group
 from planes.plans.position.assembly import ASSEMBLY_WORDS_BY_KIND
@@ -41,7 +41,7 @@ def givens_of_scheme(plans: Plans, mechanism: Mechanism) -> Things:
     return bodies.draft.given
 
 
-def growth_of_givens(plans: Plans, name: str) -> dict[str, Thing]:
+def growth_of_givens(plans: Plans, name: str) -> Env:
     """The growth of the scheme's givens while a length doubles: they are linear in it."""
     once, twice = (
         givens_of_scheme(plans, _mechanism_with_changed_given(plans, name, plans.given[name] * k)) for k in (1.0, 2.0)

@@ -6,7 +6,7 @@ import numpy as np
 
 from planes.batch.tape import Number, Op, Tape, compute_places
 from planes.geometry.arithmetic import squared_circle_gap
-from planes.geometry.arrays import Floats
+from planes.geometry.arrays import Floats, FloatsByName
 
 ARRAY_OPERATIONS: dict[str, Op] = {  # numpy functions that accept an output array, with three exceptions
     "add": np.add,
@@ -37,7 +37,7 @@ ARRAY_OPERATIONS: dict[str, Op] = {  # numpy functions that accept an output arr
 def numbers_at_places(
     tape: Tape,
     order: Iterable[int],
-    given: Mapping[str, Floats],
+    given: FloatsByName,
     real: Callable[[Floats], Number] = np.float64,
     ops: Mapping[str, Op] = ARRAY_OPERATIONS,
 ) -> dict[int, Number]:

@@ -4,7 +4,7 @@ The compiler is the one inside numba, called directly: a tape has no types to in
 """
 
 import ctypes
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cache, cached_property
 from hashlib import sha256
 from importlib.util import find_spec
@@ -15,9 +15,9 @@ import numpy as np
 
 from planes.batch import kept_code
 from planes.batch.llvm_ir import ROW_GAP_POSITIONS, llvm_module_text, module_storing_past_caches, positions_per_row
-from planes.batch.loops import Loop
+from planes.batch.loops import Loop, RowsAndCodes
 from planes.batch.tracing import Trace
-from planes.geometry.arrays import Array, Floats, Indices
+from planes.geometry.arrays import Array, FloatsByName, Indices
 from planes.words.names import NameTuple
 
 CACHE_LINE_BYTES = 64
@@ -36,7 +36,7 @@ def is_compiler_available() -> bool:
 class CompiledLoop(Loop):
     """A compiled trace ready to run; compiled at the first run."""
 
-    def __init__(self, trace: Trace, moving: NameTuple, given: Mapping[str, Floats]) -> None:
+    def __init__(self, trace: Trace, moving: NameTuple, given: FloatsByName) -> None:
         super().__init__(trace, moving, given)
         tape = trace.tape
         outputs = list(trace.outputs)
@@ -59,7 +59,7 @@ class CompiledLoop(Loop):
         """The machine code that stores past the caches."""
         return _compiled_run_function(self.text, past=True)
 
-    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
+    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> RowsAndCodes:
         """One block of positions.
 
         This code runs for every block, so it is short: rows of inputs, outputs and codes share one piece of memory, and

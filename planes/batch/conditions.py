@@ -1,14 +1,15 @@
 """Conditions a loop checks in every position: the proofs of the plans hold, and all numbers are finite."""
 
-from collections.abc import Iterable, Mapping
+from collections import defaultdict
+from collections.abc import Iterable
 
 from planes.batch.symbols import Num, record_number
 from planes.batch.tape import Tape
 from planes.drafting.program import Program
-from planes.drafting.proofs import Facts, Proof
-from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.drafting.proofs import Facts
+from planes.drafting.tools import Things
+from planes.geometry.arithmetic import Arithmetic, Real, Truth
 from planes.geometry.plane import squared_length
-from planes.words.names import PlanId
 
 # relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
 SUSPECTED_GAP_RATIO = 1e-12
@@ -27,14 +28,12 @@ def operations_carrying_nonfinite(tape: Tape, numbers: Iterable[Real]) -> set[in
     return carriers
 
 
-def prove_plans_together(
-    program: Program, things: Mapping[str, Point], ar: Arithmetic
-) -> tuple[dict[str, Truth], list[Real]]:
+def prove_plans_together(program: Program, things: Things, ar: Arithmetic) -> tuple[dict[str, Truth], list[Real]]:
     """Whether the proofs of every reason hold, those of a plan together and relative to all its marks, which is fast;
     where they do not, a loop only suspects, and a drawing decides."""
-    together: dict[tuple[str, PlanId], list[Proof]] = {}
+    together = defaultdict(list)
     for proof in program.proofs:
-        together.setdefault((proof.reason, proof.plan), []).append(proof)
+        together[(proof.reason, proof.plan)].append(proof)
     holds = dict[str, Truth]()
     shown = Facts(things, ar)
     gaps = []

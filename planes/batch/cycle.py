@@ -6,7 +6,7 @@ runs by the compiled loop (``compiled``) where that is installed. Where a loop s
 drawn, and proved.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import TypeVar
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
-from planes.batch.loops import ArrayLoop, Loop
+from planes.batch.loops import ArrayLoop, Loop, RowsAndCodes
 from planes.batch.other_leads import OtherLeads
 from planes.batch.suspected import columns_by_failing_step, draw_suspected_positions
 from planes.batch.table import Block, Ready, Reason, columns_of_quantities, force_ends_of_columns
@@ -23,7 +23,7 @@ from planes.drafting.clearness import has_wide_length_range
 from planes.drafting.drawing import draw_program
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
-from planes.geometry.arrays import Array, Floats, Indices
+from planes.geometry.arrays import Array, Floats, FloatsByName, Indices
 from planes.plans import Plans
 from planes.plans.columns import Column
 from planes.plans.quantities import quantities_asked_for
@@ -58,7 +58,7 @@ class Cycle(Ready):
         self,
         plans: Plans,
         names: Iterable[str] | None = None,
-        known: Mapping[str, Floats] | None = None,
+        known: FloatsByName | None = None,
         columns: Iterable[Column] | None = None,
     ) -> None:
         quantities = None if names is None else quantities_asked_for(plans, names)
@@ -235,9 +235,7 @@ class Cycle(Ready):
             list(rest)
         return out, codes
 
-    def _run_loop(
-        self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None
-    ) -> tuple[Array, Indices | None]:
+    def _run_loop(self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None) -> RowsAndCodes:
         """The table by a loop, and the codes (None: nothing failed); suspected positions are drawn."""
         moving = {self.plans.drive_given_name: part} if self._only_drive_moves else self.changing_inputs(part, at)
         table, codes = loop([np.asarray(x) for x in map(given_values_by_name(moving).__getitem__, loop.inputs)], out)

@@ -23,7 +23,7 @@ from planes.batch.rounding import (
 )
 from planes.batch.slopes import UNMOVED_OPERATIONS, Carrying, Parts, Values, slope_times_error
 from planes.batch.table import Ready, force_ends_of_columns
-from planes.batch.tape import Tape
+from planes.batch.tape import Args, Tape
 from planes.batch.tracing import Trace, given_values_by_name, trace_program
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans.position.decimals import Lost
@@ -87,7 +87,7 @@ class _Running:
             self.reach[place] = abs(lost) + beside + np.zeros(self.count)
         self.carrying.carry_errors_to(place, (GIVEN_ERRORS_PLACE,) if lost else (), (lost,) if lost else (), own)
 
-    def _add_error_of_operation(self, place: int, op: str, args: tuple[int, ...]) -> None:
+    def _add_error_of_operation(self, place: int, op: str, args: Args) -> None:
         slip = rounding_error_of(self.tape, place, self.found, self.claims.whole)
         lost, parts = self._linearisation_loss_and_slopes(place, op, args, slip)
         none = ~np.isfinite(self.found[place])
@@ -114,7 +114,7 @@ class _Running:
         self.carrying.carry_errors_to(place, args, parts, own)
 
     def _linearisation_loss_and_slopes(
-        self, place: int, op: str, args: tuple[int, ...], slip: Floats | None
+        self, place: int, op: str, args: Args, slip: Floats | None
     ) -> tuple[Array | None, Parts]:
         """The loss of the linearisation at a place, and its slopes; with better bounds where it matters."""
         z = self.found[place]
@@ -144,7 +144,7 @@ class _Running:
             parts = tuple(np.where(blunt, 0.0, part) for part in parts)
         return lost, parts
 
-    def _argument_reaches(self, args: tuple[int, ...]) -> tuple[Floats, ...]:
+    def _argument_reaches(self, args: Args) -> tuple[Floats, ...]:
         return tuple(self.reach.get(a, 0.0) for a in args)
 
     def _find_better_bounds(self, places: Iterable[int], where: Booleans) -> None:
@@ -172,7 +172,7 @@ class _Running:
         size *= size
         return np.asarray(ROUNDING_SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost)
 
-    def _error_bound_of_sense(self, args: tuple[int, ...]) -> Array:
+    def _error_bound_of_sense(self, args: Args) -> Array:
         """The error bound of a sense: an apparent standstill may be a motion, and a motion within its error has no
         certain sense. Only a link that cannot move at all is certainly at rest."""
         self._find_better_bounds(args, np.ones(self.count, bool))

@@ -5,6 +5,7 @@ The code is branchless, so that the compiler computes several positions at once.
 
 import re
 import struct
+from collections import defaultdict
 from functools import cache
 from pathlib import Path
 from string import Template
@@ -137,9 +138,9 @@ def llvm_module_text(
             head(f"fcmp une double {loaded}, {llvm_number(0.0)}") if tape.ops[place][0] in TEST_OPERATIONS else loaded
         )
     begins = [_row_begin(head, "%rows", str(apart), k) for k in range(len(inputs))]
-    rows: dict[int, list[str]] = {}
+    rows = defaultdict(list)
     for k, place in enumerate(outputs):
-        rows.setdefault(place, []).append(_row_begin(head, "%out", "%stride", k))
+        rows[place].append(_row_begin(head, "%out", "%stride", k))
     text = LoopText(tape, names, rough)
     for place, begin in zip(inputs, begins, strict=True):
         text.names[place] = text.lines(f"load double, ptr {text.address_in_row(begin)}, align 8{NO_OVERLAP_METADATA}")

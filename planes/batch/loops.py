@@ -2,7 +2,7 @@
 the loop by numpy, one block of positions at a time, in arrays that are reused as soon as their contents are no longer
 needed."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from itertools import count
 
 import numpy as np
@@ -11,10 +11,11 @@ from planes.batch.array_ops import ARRAY_OPERATIONS, numbers_at_places
 from planes.batch.tape import TEST_OPERATIONS
 from planes.batch.tracing import Trace
 from planes.geometry.arithmetic import Real
-from planes.geometry.arrays import Array, Booleans, Floats, Indices
+from planes.geometry.arrays import Array, Booleans, Floats, FloatsByName, Indices
 from planes.words.names import NameTuple
 
 MOST_HELD_NUMBERS = 2**22  # numbers in all arrays of a block together
+RowsAndCodes = tuple[Array, Indices | None]  # outputs, and the codes of failures (None: nothing failed)
 
 
 class Loop:
@@ -23,7 +24,7 @@ class Loop:
 
     row: int
 
-    def __init__(self, trace: Trace, moving: NameTuple, given: Mapping[str, Floats]) -> None:
+    def __init__(self, trace: Trace, moving: NameTuple, given: FloatsByName) -> None:
         tape = trace.tape
         places = trace.places_of_givens()
         self.trace = trace
@@ -38,7 +39,7 @@ class Loop:
         numbers = numbers_at_places(tape, tape.places_needed(fixed), given)
         self.still = {p: numbers[p] for p in fixed}
 
-    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
+    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> RowsAndCodes:
         """Outputs (a row for each) and codes (the number of the first condition that fails, 0 where all hold; None:
         nothing failed), for one block of positions (``rows``: a row for each input)."""
         raise NotImplementedError
@@ -47,7 +48,7 @@ class Loop:
 class ArrayLoop(Loop):
     """The loop by numpy: one operation after another, each for the whole block."""
 
-    def __init__(self, trace: Trace, moving: NameTuple, given: Mapping[str, Floats]) -> None:
+    def __init__(self, trace: Trace, moving: NameTuple, given: FloatsByName) -> None:
         super().__init__(trace, moving, given)
         self.shelf = self._assign_result_arrays()
         self.row = max(1, MOST_HELD_NUMBERS // len({*self.shelf.values(), None}))
@@ -63,7 +64,7 @@ class ArrayLoop(Loop):
         numbers = count()
         last = {a: p for p in self.moved for a in ops[p][1]}
         kept = {*self.trace.outputs, *self.conditions, *self.places}
-        shelves = dict[int, tuple[bool, int]]()
+        shelves = {}
         for place in self.moved:
             op, args = ops[place]
             shelves[place] = (True, place) if op in TEST_OPERATIONS else (False, free.pop() if free else next(numbers))
@@ -81,7 +82,7 @@ class ArrayLoop(Loop):
         ]
         self.width = width
 
-    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
+    def __call__(self, rows: Sequence[Array], out: Array | None = None) -> RowsAndCodes:
         if len(rows[0]) != self.width:
             self._prepare_arrays(len(rows[0]))
         for place, row in zip(self.places, rows, strict=True):

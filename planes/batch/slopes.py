@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from planes.batch.tape import LEAF_OPERATIONS, TEST_OPERATIONS, Tape
+from planes.batch.tape import LEAF_OPERATIONS, TEST_OPERATIONS, Args, Tape
 from planes.geometry.arrays import Array, Floats
 
 Values = Mapping[int, Array]
@@ -66,7 +66,7 @@ class Carrying:
         self.made = 0
         self._last = {a: p for p in order for a in tape.ops[p][1]}
 
-    def moving_operations(self) -> Iterator[tuple[int, str, tuple[int, ...]]]:
+    def moving_operations(self) -> Iterator[tuple[int, str, Args]]:
         """The places in order, each with its operation; places no longer needed are dropped on the way."""
         for place in self.order:
             op, args = self.tape.ops[place]
@@ -75,7 +75,7 @@ class Carrying:
                 if self._last.get(arg) == place:
                     self.rows.pop(arg, None)
 
-    def carry_errors_to(self, place: int, args: tuple[int, ...], parts: Parts, own: bool) -> None:
+    def carry_errors_to(self, place: int, args: Args, parts: Parts, own: bool) -> None:
         """Give a place its rows: those of its arguments times their slopes, and one of its ``own`` error."""
         given = [(self.rows[a], part) for a, part in zip(args, parts, strict=True) if a in self.rows]
         given.sort(key=lambda pair: -len(pair[0]))

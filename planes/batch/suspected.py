@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
+from planes.batch.loops import RowsAndCodes
 from planes.batch.table import Ready
 from planes.batch.tracing import UNCLEAR_REASON, Trace
 from planes.drafting.clearness import is_clear_drawing
 from planes.drafting.drawing import draw_program, mask_unproved_drawings
-from planes.geometry.arrays import Array, Floats, Indices
+from planes.geometry.arrays import FloatsByName
 from planes.words.names import MarkPair
 
 Forces = list[MarkPair]  # columns by their ends
 
 
 def draw_suspected_positions(
-    cycle: Ready, trace: Trace, forces: Forces, moving: Mapping[str, Floats], count: int
-) -> tuple[Array, Indices | None]:
+    cycle: Ready, trace: Trace, forces: Forces, moving: FloatsByName, count: int
+) -> RowsAndCodes:
     """The columns of some positions and their codes (None: nothing failed), drawn step by step and proved."""
     given = {**cycle.given, **moving}
     drawing = draw_program(cycle.program, given)

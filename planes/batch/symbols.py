@@ -30,8 +30,8 @@ def _is_real_number(x: object) -> bool:
     return isinstance(x, Num | float | int) and not isinstance(x, bool)
 
 
-class Num:
-    """A real number of a tape."""
+class OnTape:
+    """What has a place on a tape."""
 
     __slots__ = ("at", "tape")
 
@@ -39,6 +39,11 @@ class Num:
         self.tape = tape
         self.at = at
 
+
+class Num(OnTape):
+    """A real number of a tape."""
+
+    __slots__ = ()
     __hash__ = None  # type: ignore[assignment]
 
     @property
@@ -230,15 +235,11 @@ class Vec:
         return record_number(self.real.tape, "hypot", self.real, self.imag)
 
 
-class Test:
+class Test(OnTape):
     """A boolean, unknown until the tape is evaluated."""
 
-    __slots__ = ("at", "tape")
+    __slots__ = ()
     __test__ = False  # not collected by pytest
-
-    def __init__(self, tape: Tape, at: int) -> None:
-        self.tape = tape
-        self.at = at
 
     def as_zero_or_one(self) -> Num:
         """1 where it is true, otherwise 0."""

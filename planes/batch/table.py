@@ -3,6 +3,7 @@ as arrays: the result of a sweep in Python."""
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
@@ -109,9 +110,9 @@ class Table(Described, Mapping[str, Array | Complexes]):
         ]
         changes = [np.diff(self.columns[name]) != 0 for name in swept]
         ends = (np.flatnonzero(np.any(changes, axis=0)) + 1).tolist() if swept else list[int]()
-        panels: dict[str, list[str]] = {}
+        panels = defaultdict(list)
         for name in drawn:
-            panels.setdefault(self.units.get(name) or self.units.get(f"{name}_x", ""), []).append(name)
+            panels[self.units.get(name) or self.units.get(f"{name}_x", "")].append(name)
         figure = Figure(figsize=(7.0, 2.4 * len(panels) + 0.6), layout="constrained")
         axes = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
         for panel, (unit, curves) in zip(axes, panels.items(), strict=True):

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from planes.geometry.arithmetic import Real
-from planes.geometry.arrays import Floats
+from planes.geometry.arrays import Floats, FloatsByName
 
 Args = tuple[int, ...]
 COMMUTATIVE_OPERATIONS = frozenset({"add", "mul", "max", "min", "and", "or", "eq", "hypot"})
@@ -67,11 +67,7 @@ Op = Callable[..., Number]
 
 
 def compute_places(
-    tape: Tape,
-    order: Iterable[int],
-    given: Mapping[str, Floats],
-    real: Callable[[Floats], Number],
-    ops: Mapping[str, Op],
+    tape: Tape, order: Iterable[int], given: FloatsByName, real: Callable[[Floats], Number], ops: Mapping[str, Op]
 ) -> dict[int, Number]:
     """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
     are 0."""

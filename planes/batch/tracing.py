@@ -1,7 +1,7 @@
 """Record a program on a tape: the same steps that draw are run once with the numbers of ``symbols``."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from planes.batch.conditions import are_all_finite, operations_carrying_nonfinite, prove_plans_together
@@ -12,7 +12,7 @@ from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Step, Through
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
-from planes.drafting.tools import Env, Thing, Tool
+from planes.drafting.tools import Env, Thing, Things, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
 from planes.words.frozen import frozen
@@ -190,14 +190,14 @@ class Trace:
         return {v: k for k, v in self.tape.values.items() if self.tape.ops[k][0] == "given"}
 
 
-Take = Callable[[Mapping[str, Point], Arithmetic], Real]
+Take = Callable[[Things, Arithmetic], Real]
 
 
 def trace_program(
     program: Program,
-    given: Mapping[str, Point],
+    given: Things,
     takes: Sequence[Take],
-    known: Mapping[str, Point],
+    known: Things,
     errors: tuple[float, float, float] | None = None,
     must: Sequence[bool] = (),
     fine: float | None = None,
@@ -216,7 +216,7 @@ def trace_program(
         tool.slack = fine
         tool.flat = fine
         tool.still = 10 * fine
-    things: dict[str, Point] = {n: known[n] if n in known else given_on_tape(tape, n, given[n]) for n in given}
+    things = {n: known[n] if n in known else given_on_tape(tape, n, given[n]) for n in given}
     draw_steps(program.steps, things, tool)
     taken = [take(things, tool.ar) for take in takes]
     if must:
@@ -240,7 +240,7 @@ def given_on_tape(tape: Tape, name: str, value: Point) -> Point:
     return Num(tape, tape.record_leaf("given", name))
 
 
-def given_values_by_name(given: Mapping[str, Point]) -> dict[str, Floats]:
+def given_values_by_name(given: Things) -> dict[str, Floats]:
     """The givens of a tape by their names on it."""
     flat = {}
     for name, value in given.items():

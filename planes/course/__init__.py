@@ -27,7 +27,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from planes.scene.mechanism import nothing
-from planes.scene.source import Node
+from planes.scene.settings import Words
+from planes.scene.source import Nodes
 from planes.words import Lang
 from planes.words.errors import Doubt
 from planes.words.formats import DRAWING_SUFFIXES
@@ -74,15 +75,19 @@ class Assignment:
         return self.file.stem
 
 
+Students = tuple[Student, ...]
+Assignments = tuple[Assignment, ...]
+
+
 @frozen
 class Course:
     """The contents of a course folder. ``draw`` is None where the program chooses what to draw."""
 
     file: str
-    students: tuple[Student, ...]
-    assignments: tuple[Assignment, ...]
-    title: Mapping[str, str] = field(default_factory=nothing)
-    sheet: Mapping[str, Node] = field(default_factory=nothing)
+    students: Students
+    assignments: Assignments
+    title: Words = field(default_factory=nothing)
+    sheet: Nodes = field(default_factory=nothing)
     each: int = 1
     given_first: bool = True
     draw: Mapping[str, ParameterChoice] | None = None

@@ -51,6 +51,7 @@ def _library_version(name: str) -> str:
         return "-"
 
 
+Sentences = tuple[str, ...]
 MANIFEST_FILE_NAME = "manifest.json"
 JOURNAL_FILE_NAME = ".journal"
 DRAFT_FILE_NAME = f"{JOURNAL_FILE_NAME}{DRAFT_SUFFIX}"  # the file being written
@@ -66,7 +67,7 @@ class Entry(NamedTuple):
 
     source: str = ""
     sha256: str = ""
-    said: tuple[str, ...] = ()
+    said: Sentences = ()
 
     def json(self) -> Json:
         """The entry as in the manifest."""
@@ -120,7 +121,7 @@ class Ledger:
         path = self.folder / name
         return entry.source == source and path.is_file() and contents_hash(path.read_bytes()) == entry.sha256
 
-    def write_file(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
+    def write_file(self, name: str, source: str, data: bytes, said: Sentences = ()) -> None:
         """Write a complete file, then its line."""
         path = self.checked_path(name)
         with writing_errors_in_words(path):

@@ -18,18 +18,18 @@ from planes.plans.quantities import quantities_by_name
 from planes.plans.statements.of_scene import names_to_find
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
-from planes.scene.source import Node, SourceScalar
+from planes.scene.source import Nodes, SourceScalar
 from planes.scene.vectors import Statement
 from planes.scene.writing import scene_text_with_numbers
 from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import NamePair, NamesByName, NameTuple
 from planes.words.records import Json
 from planes.words.units import UNIT_OF_RATE_LETTER
 
-Answers = dict[tuple[str, str], float]  # by name and unit
+Answers = dict[NamePair, float]  # by name and unit
 SETTLED_FILE_NAME = "scene.yaml"
 SCALE_KEYS_LEFT_OUT = ("plans",)
 """Keys of a scene that are left out where numbers are drawn: its scales were chosen for its own."""
@@ -46,7 +46,7 @@ class Question:
     sharpness_deg: float
     seed: int
     student: NamePair
-    sheet: Mapping[str, Node]
+    sheet: Nodes
     lang: Lang
     copy: int = 0
     program: str = ""  # the worker's program must match, where it may be another
@@ -110,7 +110,7 @@ def missing_document_reason(error: Exception, lang: Lang) -> str:
     return Phrase("course_slip", kind=type(error).__name__, text=text, place=place).told(lang)
 
 
-def draw_student_numbers(q: Question) -> dict[str, str]:
+def draw_student_numbers(q: Question) -> NamesByName:
     """One student's numbers."""
 
     def make(numbers: Mapping[str, str]) -> Scene:

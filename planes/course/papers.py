@@ -58,7 +58,7 @@ def task_sheet_blocks(
 
 def given_data_block(scene: Scene, drawn: Position, lang: Lang) -> Block:
     """The data as on the sheet, as many per line as there is room for."""
-    cells: list[tuple[str, ...]] = list(given_data_table(scene, drawn, lang).given_rows())
+    cells = list(given_data_table(scene, drawn, lang).given_rows())
     across = GIVEN_NUMBERS_PER_LINE if max(len(cell) for row in cells for cell in row) <= LONGEST_NARROW_CELL else 2
     high = -(-len(cells) // across)
     cells += [("", "", "")] * (across * high - len(cells))

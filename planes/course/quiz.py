@@ -4,6 +4,7 @@ import base64
 import json
 import math
 import re
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from itertools import zip_longest
@@ -152,9 +153,9 @@ def judgeable_quizzes(quizzes: Sequence[Quiz]) -> list[Quiz]:
 
 def quizzes_by_assignment(quizzes: Iterable[Quiz]) -> dict[str, list[Quiz]]:
     """The quizzes of each assignment."""
-    quizzes_of: dict[str, list[Quiz]] = {}
+    quizzes_of = defaultdict(list)
     for quiz in quizzes:
-        quizzes_of.setdefault(quiz.assignment, []).append(quiz)
+        quizzes_of[quiz.assignment].append(quiz)
     return quizzes_of
 
 

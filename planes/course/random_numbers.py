@@ -23,7 +23,7 @@ from planes.scene.source import parse_yaml as parse_text
 from planes.solving import solve
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanesError, SceneError
-from planes.words.names import NameTuple, NumbersByName
+from planes.words.names import NamesByName, NameTuple, NumbersByName
 
 MOST_TRIED_SETS = 1000  # sets of numbers tried before giving up
 TEST_ANGLES_DEG = tuple(map(float, range(0, 360, 2)))  # the driver's test angles, degrees
@@ -105,7 +105,7 @@ def draw_numbers(
     make: Callable[[Mapping[str, str]], Scene],
     least_deg: float,
     chance: random.Random,
-) -> dict[str, str]:
+) -> NamesByName:
     """The first set of numbers with which the method works all the way round; ``make`` gives their scene."""
     apart = blunt = 0
     own = scene_plans(make({}))

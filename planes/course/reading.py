@@ -5,7 +5,7 @@ from contextlib import suppress
 from pathlib import Path
 from types import MappingProxyType
 
-from planes.course import DOCUMENTS, FORMATS, Assignment, Course, ParameterChoice, Student
+from planes.course import DOCUMENTS, FORMATS, Assignment, Assignments, Course, ParameterChoice, Student, Students
 from planes.course.students import STUDENT_LIST_FILES, check_students, read_students
 from planes.scene import loads, source
 from planes.scene.reader import Fields, Reader, part_in_words
@@ -72,7 +72,7 @@ def _read_course_table(course: Fields, folder: Path) -> Course:
     )
 
 
-def _read_student_list(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tuple[Student, ...]]:
+def _read_student_list(reader: Reader, node: Node | None, folder: Path) -> tuple[str, Students]:
     """The file of the list, and the list."""
     if isinstance(node, SourceScalar):
         path = _read_path(reader, node, "students", folder)
@@ -101,7 +101,7 @@ def _read_student(reader: Reader, number: int, node: Node) -> Student:
     return Student(said["name"], said.get("group", ""), said.get("assignment"), said.get("variant"), node.line)
 
 
-def _read_assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assignment, ...]:
+def _read_assignments(reader: Reader, node: Node | None, folder: Path) -> Assignments:
     """The scenes, in the order given; by default those of the folder itself."""
     if node is None:
         files = scene_files_in(folder)
@@ -146,7 +146,7 @@ def _assignment_of_file(file: Path) -> Assignment:
 
 
 def _read_draw_choices(
-    reader: Reader, node: Node | None, assignments: tuple[Assignment, ...]
+    reader: Reader, node: Node | None, assignments: Assignments
 ) -> MappingProxyType[str, ParameterChoice] | None:
     """The choices for each named parameter."""
     if node is None:

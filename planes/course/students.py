@@ -6,11 +6,12 @@ import re
 import unicodedata
 from pathlib import Path
 
-from planes.course import Assignment, Course, Student
+from planes.course import Assignment, Assignments, Course, Student, Students
 from planes.scene import source
 from planes.words import Phrase
 from planes.words.errors import SceneError, list_valid_choices, quoted_excerpt
 from planes.words.frozen import frozen
+from planes.words.names import NamePair
 
 STUDENT_LIST_FILES = ("students.csv", "students.txt")
 MOST_NAME_LETTERS = 100
@@ -22,7 +23,7 @@ _COLUMN_HEADS = {
 }
 
 
-def read_students(path: Path) -> tuple[Student, ...]:
+def read_students(path: Path) -> Students:
     """The students of a file: a table if its suffix is .csv or .tsv, else a name a line; ``#`` begins a remark."""
     text = unicodedata.normalize("NFC", source.read_file_text(path, table=True))
     if path.suffix.lower() in (".csv", ".tsv"):
@@ -31,7 +32,7 @@ def read_students(path: Path) -> tuple[Student, ...]:
     return tuple(Student(line, line=n) for n, line in lines if line)
 
 
-def _students_of_table(text: str, file: str) -> tuple[Student, ...]:
+def _students_of_table(text: str, file: str) -> Students:
     """The rows under a head of known names."""
     lines = text.splitlines()
     first = lines[0] if lines else ""
@@ -63,11 +64,11 @@ def _column_meanings(cells: list[str], file: str) -> list[str]:
     return columns
 
 
-def check_students(file: str, students: tuple[Student, ...], assignments: tuple[Assignment, ...]) -> None:
+def check_students(file: str, students: Students, assignments: Assignments) -> None:
     """Refuse an empty list, a repeated name or one with odd letters, and unknown assignments and variants."""
     if not students:
         raise SceneError(Phrase("course_nobody"), file)
-    seen: dict[tuple[str, str], int] = {}
+    seen: dict[NamePair, int] = {}
     for s in students:
         if len(s.name) > MOST_NAME_LETTERS:
             raise SceneError(
@@ -82,7 +83,7 @@ def check_students(file: str, students: tuple[Student, ...], assignments: tuple[
         _check_wish(s, assignments, file)
 
 
-def _check_wish(s: Student, assignments: tuple[Assignment, ...], file: str) -> None:
+def _check_wish(s: Student, assignments: Assignments, file: str) -> None:
     """Check the requested assignment and variant of a student."""
     own = requested_assignment(s, assignments)
     if s.assignment and own is None:
@@ -96,7 +97,7 @@ def _check_wish(s: Student, assignments: tuple[Assignment, ...], file: str) -> N
         raise SceneError(Phrase("no_variant", name=quoted_excerpt(s.variant), valid=valid), file, s.line)
 
 
-def requested_assignment(s: Student, assignments: tuple[Assignment, ...]) -> Assignment | None:
+def requested_assignment(s: Student, assignments: Assignments) -> Assignment | None:
     """The assignment requested for a student: 1 is 01 too."""
     name = (s.assignment or "").lstrip("0")
     return next((a for a in assignments if name and a.name.lstrip("0") == name), None)
@@ -143,7 +144,7 @@ def _assignments_of_student(course: Course, student: Student, number: int) -> li
     return [course.assignments[(number + k) % len(course.assignments)] for k in range(count)]
 
 
-def _folder_names(students: tuple[Student, ...]) -> list[str]:
+def _folder_names(students: Students) -> list[str]:
     """A folder for each student: the name in letters valid on any disk; the second student of the same name gets a
     number."""
     place_of = dict.fromkeys(WINDOWS_DEVICE_NAMES, "")  # as compared by a disk that ignores case

@@ -7,6 +7,7 @@ from planes.course.numbers import main_answers
 from planes.course.papers import parameter_unit
 from planes.course.students import Share
 from planes.scene import loads
+from planes.scene.settings import Words
 from planes.solving.document import Blocks, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
 from planes.words.frozen import frozen
@@ -24,7 +25,7 @@ class StudentRow:
 
     share: Share
     group: str
-    title: Mapping[str, str]
+    title: Words
     numbers: NumbersByName
     found: Mapping[NamePair, float]
     fault: str
@@ -51,7 +52,7 @@ def rows_by_assignment(rows: Sequence[StudentRow]) -> dict[str, list[StudentRow]
     return {name: [row for row in rows if row.share.assignment.name == name] for name in names}
 
 
-def answer_names_and_units(rows: Sequence[StudentRow]) -> list[tuple[str, str]]:
+def answer_names_and_units(rows: Sequence[StudentRow]) -> list[NamePair]:
     """Names and units of all answers of some rows."""
     return list(dict.fromkeys(key for row in rows for key in row.found))
 

@@ -1,8 +1,10 @@
 """Every scene of a folder in every variant: the results, the agreement of the two balancing loads, and the failures."""
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from planes.course.ledger import Sentences
 from planes.course.reading import scene_files_in
 from planes.diagrams.summary import summarise_cycle
 from planes.plans import Plans
@@ -30,7 +32,7 @@ class SurveyRow:
     solved: bool
     balancing: float | None = None
     lever: float | None = None
-    remarks: tuple[str, ...] = ()
+    remarks: Sentences = ()
 
     @property
     def difference(self) -> float | None:
@@ -144,8 +146,8 @@ def survey_report(lines: Sequence[SurveyRow], lang: Lang) -> str:
 
 def remarks_with_variants(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:
     """The sentences, each with its variants."""
-    variants_of: dict[tuple[str, str], list[str]] = {}
+    variants_of = defaultdict(list)
     for line in lines:
         for text in line.remarks:
-            variants_of.setdefault((line.scene, text), []).append(line.variant)
+            variants_of[(line.scene, text)].append(line.variant)
     return variants_of

@@ -42,18 +42,17 @@ from planes.scene import Scene
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen
-
-Differences = dict[str, float]  # by the two methods
+from planes.words.names import NumbersByName
 
 
 @frozen
 class Agreement:
     """The largest differences of two methods over the cycle, relative to ωr, ω²r, ω, ω², and to the largest force."""
 
-    velocity: Differences
-    acceleration: Differences
-    omega: Differences
-    epsilon: Differences
+    velocity: NumbersByName
+    acceleration: NumbersByName
+    omega: NumbersByName
+    epsilon: NumbersByName
     forces: float
     torque: float
     lever: float

@@ -10,7 +10,7 @@ import numpy as np
 
 from planes.crank_slider.kinematics import EngineCycle, RodMotion, largest_magnitude, rod_inclination
 from planes.crank_slider.shape import CrankSliderShape
-from planes.geometry.arrays import Array, Complexes
+from planes.geometry.arrays import Array, ArrayPair, Complexes
 from planes.geometry.plane import cross
 from planes.words.frozen import frozen
 
@@ -65,7 +65,7 @@ def forces_over_cycle(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -
 
 def _guide_reaction_and_friction(
     shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array
-) -> tuple[Array, Array]:
+) -> ArrayPair:
     """N and the friction: N(1 − σ·s·f·tan β) = m₃g − P-part·tan β − own, with σ the bearing side, s the sense of
     sliding."""
     speed = way.v["B"].real

@@ -13,6 +13,7 @@ import numpy as np
 from planes.crank_slider.parts import Material, RoundPart, Shank, Web
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Indices
+from planes.scene.ranges import Interval
 from planes.words.frozen import field, frozen
 from planes.words.names import NameTuple
 
@@ -66,7 +67,7 @@ class Indicator:
         return monotone_cubic([x for x, _ in points], [p for _, p in points])
 
 
-def required_stage_span(stage: str, over: str, names: NameTuple) -> tuple[float, float]:
+def required_stage_span(stage: str, over: str, names: NameTuple) -> Interval:
     """The required beginning and end of a stage's table."""
     if over == "path":
         return (0.0, 1.0) if stage in PISTON_AWAY_STAGES else (1.0, 0.0)
@@ -184,7 +185,7 @@ class Limits:
     MPa."""
 
     static: float = 2.0
-    fatigue: tuple[float, float] = (1.5, 3.0)
+    fatigue: Interval = (1.5, 3.0)
     buckling: float = 3.0
     bush_mpa: float = 60.0
     boss_mpa: float = 50.0

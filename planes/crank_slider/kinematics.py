@@ -11,6 +11,7 @@ import numpy as np
 
 from planes.crank_slider.shape import CrankSliderShape
 from planes.drafting.drawing import Drawing, draw_program
+from planes.geometry.arithmetic import Shape
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans, plans_of
 from planes.plans.scales import unit_scales_of_plans
@@ -86,7 +87,7 @@ def draw_cycle_plans(scene: Scene, shape: CrankSliderShape, motion: EngineCycle)
     return drawn
 
 
-def _read_drawn_plans(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[int, ...]) -> DrawnRodMotion:
+def _read_drawn_plans(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: Shape) -> DrawnRodMotion:
     def mark(name: str) -> Complexes:
         return np.broadcast_to(np.asarray(drawing[name], complex), size)
 

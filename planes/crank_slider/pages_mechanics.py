@@ -177,12 +177,8 @@ def _write_force_equations(w: ChapterWriter, c: Calculation) -> None:
     v.at_a, v.at_c, v.at_b = parts.three
     v.negative, v.more_or_less = v.at_c < 0, w.say("s_more" if parts.error > 0 else "s_less")
     v.couple = abs(parts.error) * largest_magnitude(c.plane.epsilon)
-    v.off_T, v.off_N = (
-        _maxima_difference_percent(
-            largest_magnitude(getattr(c.forces, name)), largest_magnitude(getattr(c.simple, name))
-        )
-        for name in "TN"
-    )
+    maxima = [[largest_magnitude(getattr(forces, name)) for forces in (c.forces, c.simple)] for name in "TN"]
+    v.off_T, v.off_N = (100 * abs(simple - true) / true for true, simple in maxima)
     v.inertia_b = s.m3 * abs(v.plane.a.B)
     v.inertia_c = s.m2 * abs(a_c)
     v.couple_c = s.j2 * abs(v.plane.epsilon)
@@ -197,11 +193,6 @@ def _write_force_equations(w: ChapterWriter, c: Calculation) -> None:
     shown = ("loaded", "loaded 3", "loaded 2", "loaded 1")
     w.figure("f_loaded", DrawnViews(scene, solved, tuple((x,) for x in shown)), phi=v.phi)
     w.write("equations", v)
-
-
-def _maxima_difference_percent(true: float, simple: float) -> float:
-    """The difference of the maxima of two curves, per cent."""
-    return 100 * abs(simple - true) / true
 
 
 def _write_force_cycle(w: ChapterWriter, c: Calculation) -> None:

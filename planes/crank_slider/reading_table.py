@@ -18,6 +18,7 @@ from planes.scene.packs import PACKS
 from planes.scene.reader import Fields
 from planes.scene.source import Items, Node
 from planes.words import Phrase, Told
+from planes.words.names import NameTuple
 
 Part = TypeVar("Part")
 KEYS_BY_TABLE = PACKS["crank_slider"].schema["keys"]
@@ -73,7 +74,7 @@ def read_indicator(top: Values) -> Indicator:
     return Indicator(over, unit, MappingProxyType(stages))
 
 
-def _read_stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Points:
+def _read_stage(table: Values, name: str, over: str, names: NameTuple) -> Points:
     what = table.phrase_of_key(name)
     variable = "s/S" if over == "path" else "φ"
     items = table.reader.read_list(table.required_node(name), what)

@@ -8,7 +8,7 @@ from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import StaticLoad
 from planes.solving import Position
 from planes.words.frozen import frozen
-from planes.words.names import SCHEME_PLAN, scheme_mark
+from planes.words.names import SCHEME_PLAN, NumbersByName, scheme_mark
 
 POINTS_UNDER_DISTRIBUTED_LOAD = 16  # points of a curve under a distributed load
 Outline = list[tuple[float, float]]  # m along the beam, N or N·m
@@ -18,7 +18,7 @@ Outline = list[tuple[float, float]]  # m along the beam, N or N·m
 class BeamOutlines:
     """Points along the beam with their distances, m, and both outlines from the first point to the last."""
 
-    stops: dict[str, float]
+    stops: NumbersByName
     shears: Outline
     moments: Outline
 

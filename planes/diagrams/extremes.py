@@ -14,7 +14,7 @@ import numpy as np
 
 from planes.diagrams.smooth import smooth_extreme_places
 from planes.diagrams.turn import Grid, WholeTurn
-from planes.geometry.arrays import Array, Booleans
+from planes.geometry.arrays import Array, ArrayPair, Booleans
 from planes.plans.curves import FULL_TURN_DEG, Curve, Sample
 from planes.words.frozen import frozen
 
@@ -70,7 +70,7 @@ class _Limit:
 def extremes_of_curves(g: Grid) -> list[list[Extreme]]:
     """The extremes of every curve of the turn, in the order of the driver's positions; none for a constant curve."""
     of_curves: list[list[Extreme]] = [[] for _ in g.turn.curves]
-    brackets = list[_Bracket]()
+    brackets = []
     limits = [_Limit.sampled_limit(g, i, limit) for i, limit in g.assembly_limits]
     for k, curve in enumerate(g.turn.curves):
         y = g.curve_values(curve)
@@ -240,7 +240,7 @@ def _unknown_slope(sample: Sample) -> float:
     return np.nan
 
 
-def _cell_of_slope_crossing(slope: Array) -> tuple[Array, Array]:
+def _cell_of_slope_crossing(slope: Array) -> ArrayPair:
     """The first cell in which a slope, positive before a top, is no longer positive."""
     down = ~(slope > 0)
     down[:, 0] = False
@@ -249,7 +249,7 @@ def _cell_of_slope_crossing(slope: Array) -> tuple[Array, Array]:
     return last - 1, last
 
 
-def _cells_around_top(y: Array) -> tuple[Array, Array]:
+def _cells_around_top(y: Array) -> ArrayPair:
     """The cells on either side of the highest value."""
     best = np.where(np.isfinite(y), y, -np.inf).argmax(axis=1)
     return np.maximum(best - 1, 0), np.minimum(best + 1, y.shape[1] - 1)

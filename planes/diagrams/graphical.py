@@ -8,7 +8,7 @@ is carried to the axis, and a parallel to the ray from P through it continues th
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -20,7 +20,8 @@ from planes.drafting.instruments import Instrument
 from planes.drafting.program import Program
 from planes.drafting.steps import Carry, LayOff, Put, Similar, Through, Turn
 from planes.drafting.steps.crossings import Cross
-from planes.geometry.arithmetic import Point, Real
+from planes.drafting.tools import Things
+from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
 from planes.words.names import Mark, PlanId
 from planes.words.units import standard_mu
@@ -66,9 +67,7 @@ class Construction:
         """The steps, checked."""
         return Program(tuple(self.draft.steps.values()))
 
-    def draw_construction(
-        self, instrument: Instrument | None = None, more: Mapping[str, Point] | None = None
-    ) -> Drawing:
+    def draw_construction(self, instrument: Instrument | None = None, more: Things | None = None) -> Drawing:
         """The construction drawn with an instrument, by default exactly."""
         return draw_program(self.construction_program, {**self.draft.given, **(more or {})}, instrument)
 
@@ -175,7 +174,7 @@ def _draw_derivative_diagram(c: Construction, plan: PlanId, rank: int, pole_mm: 
     pole = pole_mm or _longest_pole_distance(steepest, c.time_scale, before.mu)
     mu = before.mu * pole / c.time_scale
     c.draw_axes_and_pole(plan, mu, pole)
-    made = list[tuple[int, str]]()
+    made = []
     for (one, first), (two, second) in pairwise(before.points):
         half = (one + two) // 2
         label = _point_label((one + two) // 2)

@@ -111,7 +111,7 @@ def _diagram_json(c: Construction, r: MeasuredDiagram) -> Json:
 
 def constructions_report(constructions: list[Construction], lang: Lang) -> str:
     """Tables of the constructions, one after the other."""
-    lines = list[str]()
+    lines = []
     for c in constructions:
         lines += ["", say(f"graphical_{c.kind}", lang, link=c.motion.link, count=c.motion.section_count)]
         lines += [f"  {line}" for line in scale_formulas(c, lang)]

@@ -160,7 +160,7 @@ def curve_listing_text(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
     told_rows = curves_at_positions(turn, values)
     kind = turn.plans.drive.kind
-    lines = list[str]()
+    lines = []
     for key, curves in _curves_by_chapter(turn.curves):
         rows = [[c.name, say(c.unit, lang), *map(number_with_five_decimals, told_rows[c.name])] for c in curves]
         head = ["", say("column_unit", lang), *(drive_position_in_words(float(v), kind, lang) for v in values)]

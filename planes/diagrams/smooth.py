@@ -11,7 +11,7 @@ import numpy as np
 from numpy.polynomial import polynomial
 
 from planes.diagrams.turn import Grid
-from planes.geometry.arrays import Array, Indices
+from planes.geometry.arrays import Array, ArrayPair, Indices
 from planes.plans.curves import FULL_TURN_DEG, Curve
 
 NODES_EACH_SIDE = 5  # nodes on each side
@@ -77,7 +77,7 @@ def _slope_coefficients(rows: Array, half: int, slopes: bool) -> Array:
     return laid if slopes else np.asarray(polynomial.polyder(laid))
 
 
-def _root_near_middle(slope: Array) -> tuple[Array, Array]:
+def _root_near_middle(slope: Array) -> ArrayPair:
     """The zero of each polynomial near the middle, and its slope there."""
     place = np.zeros(slope.shape[1])
     bend: Array = np.asarray(polynomial.polyder(slope), float)

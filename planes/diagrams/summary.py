@@ -12,6 +12,7 @@ from planes.plans import Plans
 from planes.plans.curves import FULL_TURN_DEG, Curve, driven_link_and_sliding
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
+from planes.scene.ranges import Interval
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
@@ -67,8 +68,8 @@ class Path:
 
     point: str
     length: float
-    x: tuple[float, float]
-    y: tuple[float, float]
+    x: Interval
+    y: Interval
 
 
 @frozen
@@ -208,9 +209,7 @@ def _is_equal_to_row(y: Array, other: Array, curve: Curve, row: CurveSummary) ->
     )
 
 
-def summary_of_scene(
-    scene: Scene, ends: tuple[float, float] | None = None, names: Iterable[str] | None = None
-) -> Summary:
+def summary_of_scene(scene: Scene, ends: Interval | None = None, names: Iterable[str] | None = None) -> Summary:
     """The cycle of a scene between two positions of the driver, or by default a turn, or a slider's reach.
     :class:`PlanesError` where the mechanism assembles nowhere."""
     plans = scene_plans(scene)

@@ -1,6 +1,7 @@
 """The figures of a cycle as tables for a terminal, and as JSON."""
 
 import math
+from collections import defaultdict
 from typing import Any
 
 from planes.diagrams.extremes import Extreme
@@ -77,9 +78,9 @@ def _assembly_range_lines(s: Summary, lang: Lang) -> list[str]:
 
 def _turn_over_lines(s: Summary, lang: Lang) -> list[str]:
     """Where links turn over, grouped by position."""
-    links_at: dict[str, list[str]] = {}
+    links_at = defaultdict(list)
     for name, place in s.grid.link_turn_overs:
-        links_at.setdefault(_place_text(s, place, lang), []).append(name_index(name))
+        links_at[_place_text(s, place, lang)].append(name_index(name))
     name = driver_coordinate_letter(s)
     return [
         say("cycle_flips", lang, name=name, place=place, links=", ".join(links)) for place, links in links_at.items()

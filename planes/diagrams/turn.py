@@ -24,9 +24,9 @@ from planes.plans.curves import (
     curves_by_name,
     vectors_by_name,
 )
-from planes.scene.ranges import Span
+from planes.scene.ranges import Interval, Span
 from planes.words.frozen import frozen
-from planes.words.names import letter_of
+from planes.words.names import NumbersByName, letter_of
 from planes.words.units import UNITS_OF_PLACE_AND_RATES
 
 LEAST_FLIP_DEG = 90.0  # degrees: a link cannot turn this far between neighbouring nodes
@@ -173,7 +173,7 @@ class Grid:
         return CANCELLATION_ROUNDING_RATIO * self._typical_magnitudes.get(curve.unit, 0.0)
 
     @cached_property
-    def _typical_magnitudes(self) -> dict[str, float]:
+    def _typical_magnitudes(self) -> NumbersByName:
         """Typical magnitudes in each unit, including those with the driver's given motion."""
         drive = self.turn.plans.drive
         sizes = {"°": FULL_TURN_DEG}
@@ -213,7 +213,7 @@ class Grid:
         return tuple((int(i), float(z)) for i, z in zip(good, low, strict=True))
 
     @cached_property
-    def assembly_ranges(self) -> tuple[tuple[float, float], ...]:
+    def assembly_ranges(self) -> tuple[Interval, ...]:
         """The ranges in which the mechanism assembles."""
         edges = [z for _, z in self.assembly_limits]
         if self.assembled_mask[0]:
@@ -271,7 +271,7 @@ def _is_exactly_one_turn(g: Grid) -> bool:
     return g.turn.plans.drive.rotates and abs(float(g.places[-1] - g.places[0]) - FULL_TURN_DEG) < 1e-9
 
 
-def driver_search_range(plans: Plans) -> tuple[float, float]:
+def driver_search_range(plans: Plans) -> Interval:
     """The range of the driver to search: one turn from the scene's position, or twice the longest link to either side
     of it."""
     drive = plans.drive

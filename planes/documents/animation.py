@@ -18,6 +18,7 @@ from planes.words.names import POLE_LABEL, SCHEME_PLAN, PlanId
 from planes.words.waiting import progress_bar
 from render.files import moving
 from render.labels import place_labels
+from render.labels.candidates import Size
 from render.labels.footprints import Bounds
 from render.paper.marks import Mark, Text, move_mark, using_face
 from render.paper.outlines import face_of_scene
@@ -97,7 +98,7 @@ def common_scales(scene: Scene, values: Sequence[float]) -> dict[str, float | No
     return {kind: largest_fitting_scale(kind, size, PLAN_FIT_MM[kind]) for kind, size in largest.items()}
 
 
-def frames_and_size(scene: Scene, drawn: Sequence[Position], lang: Lang) -> tuple[list[Frame], tuple[float, float]]:
+def frames_and_size(scene: Scene, drawn: Sequence[Position], lang: Lang) -> tuple[list[Frame], Size]:
     """The marks of each frame, and the size of the picture in mm: figures side by side, with fixed poles."""
     composer = Composer(scene, lang, drawn[0].plans)
     names = figure_names(drawn)
@@ -117,9 +118,7 @@ def figure_bounds(views: Sequence[View]) -> Bounds:
     return min(lefts), min(lows), max(*rights, min(lefts) + wide), max(tops) + high
 
 
-def figure_origins_and_size(
-    cells: Mapping[PlanId, Bounds], columns: int
-) -> tuple[dict[PlanId, complex], tuple[float, float]]:
+def figure_origins_and_size(cells: Mapping[PlanId, Bounds], columns: int) -> tuple[dict[PlanId, complex], Size]:
     """The origin of each figure, with so many in a row; and the size of the whole."""
     names = list(cells)
     corners = {}

@@ -7,7 +7,7 @@ the program are unchanged.
 
 import hashlib
 import json
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
@@ -147,21 +147,21 @@ class ClassWork:
     def _duplicate_drawings(self) -> dict[str, list[str]]:
         """By file the other drawings of the same plan by the same student."""
         own = {str(t.file) for t in self.tasks if t.student}
-        same = dict[tuple[str, str, str], list[str]]()
+        same = defaultdict(list)
         for row in self.rows:
             if row.plan and row.task in own:
-                same.setdefault(row.plan_task_and_student, []).append(row.file)
+                same[row.plan_task_and_student].append(row.file)
         return {f: [one for one in files if one != f] for files in same.values() if len(files) > 1 for f in files}
 
     def students_without_drawing(self) -> str:
         """The students without any drawing, with the assignments where there are several."""
         came = {row.task for row in self.rows}
         several = are_of_several_assignments(self.tasks)
-        names: dict[str, list[str]] = {}
+        names = defaultdict(list)
         for task in self.tasks:
             if task.student and str(task.file) not in came:
                 name = str(task.scene_in_variant(None).sheet.get("student") or task.student.replace("-", " "))
-                names.setdefault(name, []).append(task.scene)
+                names[name].append(task.scene)
         every = (f"{name} ({', '.join(scenes)})" if several else name for name, scenes in names.items())
         return ", ".join(every).removesuffix(".")  # the sentence ends with its own
 

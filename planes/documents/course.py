@@ -2,7 +2,7 @@
 
 import json
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -12,7 +12,7 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked
 from planes.check.sheet_mark import SheetMark
 from planes.course import PLATFORMS, Course
-from planes.course.ledger import program_fingerprint
+from planes.course.ledger import Sentences, program_fingerprint
 from planes.course.numbers import missing_document_reason
 from planes.course.papers import (
     answer_key_blocks,
@@ -37,7 +37,7 @@ from planes.solving.document import Block
 from planes.solving.given import GIVEN_NUMBER_DIGITS
 from planes.words import Lang, Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NameTuple, NumbersByName
+from planes.words.names import NamesByName, NameTriple, NameTuple, NumbersByName
 from render.files import Page, pdf
 from render.page.lesson_page import whole_lesson_page
 from render.paper.letters import BRACKETED_NAME_PATTERN
@@ -61,7 +61,7 @@ class Order:
     files: NameTuple
     plans: NameTuple
     lang: Lang
-    whose: tuple[str, str, str] = ("", "", "")
+    whose: NameTriple = ("", "", "")
     program: str = ""
 
 
@@ -70,11 +70,11 @@ class MadeDocuments:
     """The contents of files by name; for a failed file a sentence with the reason; ``said``: remarks on the others."""
 
     files: dict[str, bytes] = field(default_factory=dict)
-    faults: dict[str, str] = field(default_factory=dict)
+    faults: NamesByName = field(default_factory=dict)
     said: dict[str, NameTuple] = field(default_factory=dict)
 
 
-def folders_by_file_name(course: Course) -> dict[str, str]:
+def folders_by_file_name(course: Course) -> NamesByName:
     """The files for each student: name -> its folder, "students" or "teacher"."""
     known = {"sheets": [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats], "lesson": ["lesson.html"]}
     known |= {"scorm": ["scorm.zip"], "book": ["key.pdf"]} | {key: ["quiz.json"] for key in PLATFORMS}
@@ -82,7 +82,7 @@ def folders_by_file_name(course: Course) -> dict[str, str]:
     return {n: side.get(d, "teacher") for d in course.documents for n in known.get(d, [f"{d}.pdf"])}
 
 
-def files_of_scene(names: Mapping[str, str], scene: Scene) -> NameTuple:
+def files_of_scene(names: NamesByName, scene: Scene) -> NameTuple:
     """Those of the files that a scene has: stated vectors have one sheet."""
     return tuple(n for n in names if scene.mechanism or not n.startswith("sheet-2"))
 
@@ -125,7 +125,7 @@ class Desk:
         """The student's position."""
         return note_position(self.scene, None, self.lang)
 
-    def file_contents(self, name: str) -> tuple[bytes, tuple[str, ...]]:
+    def file_contents(self, name: str) -> tuple[bytes, Sentences]:
         """The contents of one file, and the remarks about it."""
         kind, _, suffix = name.partition(".")
         if kind.startswith("sheet-"):

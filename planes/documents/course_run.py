@@ -12,7 +12,7 @@ from pathlib import Path
 
 from planes.course import Course
 from planes.course.handed_out import SCENE_FILE_NAME
-from planes.course.ledger import Entry, Ledger, contents_hash, program_fingerprint
+from planes.course.ledger import Entry, Ledger, Sentences, contents_hash, program_fingerprint
 from planes.course.numbers import Question, SettledNumbers, settle_numbers, worker_question
 from planes.course.students import Share, shares_of_course
 from planes.course.summary import StudentRow, as_blocks, as_csv
@@ -22,7 +22,7 @@ from planes.documents.course import MadeDocuments, Order, files_of_scene, folder
 from planes.lesson.note import student_and_group
 from planes.scene import Scene, loads
 from planes.words import Lang, Phrase
-from planes.words.names import NameTuple, PlanId
+from planes.words.names import NameTriple, NameTuple, PlanId
 from planes.words.naming import Naming
 from render.report import render_document
 
@@ -40,8 +40,8 @@ class Report:
 
     made: int = 0
     kept: int = 0
-    faults: list[tuple[str, str, str]] = field(default_factory=list)
-    said: list[tuple[str, str, str]] = field(default_factory=list)
+    faults: list[NameTriple] = field(default_factory=list)
+    said: list[NameTriple] = field(default_factory=list)
 
 
 @dataclass
@@ -132,7 +132,7 @@ class Conductor:
         for name, text in ((SCENE_FILE_NAME, answer.scene), (KEY_FILE_NAME, answer.key)):
             self.write_unless_present(self.place_in_folder(share, name), inputs_hash(q, ""), text.encode())
 
-    def write_unless_present(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
+    def write_unless_present(self, name: str, source: str, data: bytes, said: Sentences = ()) -> None:
         """Write a file, unless it exists."""
         if self.ledger.is_up_to_date(name, source):
             self.report.kept += 1

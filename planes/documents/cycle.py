@@ -11,7 +11,7 @@ from planes.diagrams.extremes import Extreme, extremes_of_curves
 from planes.diagrams.motion import Runs, diagram_range
 from planes.diagrams.turn import WholeTurn, make_grid, unwind_angles, whole_turn_of
 from planes.geometry.arithmetic import Real
-from planes.geometry.arrays import Array
+from planes.geometry.arrays import Array, ArrayPair
 from planes.plans import Plans
 from planes.plans.curves import (
     FULL_TURN_DEG,
@@ -86,7 +86,7 @@ class DrawnTurn:
             name, unit, finite_or_none(path / size), finite_or_none(arrow.read(self.stations) / size), point
         )
 
-    def joined(self, curve: Curve | CycleVector) -> tuple[Array, Array]:
+    def joined(self, curve: Curve | CycleVector) -> ArrayPair:
         """A curve's runs as one row of positions and one of values, with gaps between them."""
         x = numpy.concatenate([part for places, _ in self.pieces for part in (places, places[-1:])][:-1])
         rows = [part for _, sample in self.pieces for part in (curve.read(sample), [numpy.nan])]

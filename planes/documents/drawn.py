@@ -1,14 +1,15 @@
 """Drawings of a scene: it is solved, its sheet or view composed, and the file written."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 from planes.check.grading.by_hand import unreliable_rate_names
+from planes.course.ledger import Sentences
 from planes.documents import constructed
 from planes.documents.graphs import graphical_constructions, views_without_position
-from planes.documents.sheets import DrawnPosition, project_over_turn, sheet_of
+from planes.documents.sheets import DrawnPosition, DrivePositions, project_over_turn, sheet_of
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position, solve
@@ -43,13 +44,13 @@ class DrawnSheet(NamedTuple):
     a drawing by hand."""
 
     size: str
-    said: tuple[str, ...]
-    remarks: tuple[str, ...] = ()
+    said: Sentences
+    remarks: Sentences = ()
 
 
 def draw_sheet(
     scene: Scene,
-    values: Iterable[float] | None,
+    values: DrivePositions,
     output: str,
     lang: Lang = "ru",
     number: int | None = None,
@@ -80,7 +81,7 @@ def draw_sheet(
     return DrawnSheet(f"{paper}{size} {say('mm', lang)}", tuple(drawn.warnings), remarks)
 
 
-def _hand_uncertainty_remark(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
+def _hand_uncertainty_remark(scene: Scene, values: DrivePositions, lang: Lang) -> Iterator[str]:
     """The remark that velocities and accelerations on the sheet are uncertain in a drawing by hand, as in a check of
     one."""
     for position in solve(scene, values, lang=lang).positions if scene.mechanism else ():
@@ -112,7 +113,7 @@ def picture(drawn: AnyScene | Position, view: str | None = None, lang: Lang | No
     return view_page(_mechanism_views(scene, drawn, composer), view, composer)
 
 
-def page_of_view(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
+def page_of_view(scene: Scene, view: str | None, values: DrivePositions = None, lang: Lang = "ru") -> Page:
     """One view of a scene on a separate page, by name (by default the first)."""
     shown = _page_of_view(scene, view, values, lang)
     if scene.sheet.get("colour"):
@@ -120,7 +121,7 @@ def page_of_view(scene: Scene, view: str | None, values: Iterable[float] | None 
     return shown
 
 
-def _page_of_view(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
+def _page_of_view(scene: Scene, view: str | None, values: DrivePositions, lang: Lang) -> Page:
     with using_face(face_of_scene(scene)):
         drawn = DrawnPosition(replace(scene, find=None), values, lang)
         composer = Composer(scene, lang, drawn.plans_and_wanted[0])

@@ -27,7 +27,7 @@ from planes.scene.parameters import require_finite_numbers
 from planes.scene.ranges import drive_positions_asked, driver_coordinate_asked
 from planes.solving.of_scene import AnyScene, scene_from
 from planes.words import Lang, home_lang
-from planes.words.names import NameTuple, PlanId
+from planes.words.names import NameTuple, NumbersByName, PlanId
 from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
@@ -83,13 +83,13 @@ def _number_array(given: Any, name: str) -> Array:
     return given.copy() if flat and np.isfinite(given).all() else np.atleast_1d(require_finite_numbers(given, name))
 
 
-_READY_TURNS: dict[tuple[int, tuple[str, ...] | None], WholeTurn] = {}
+_READY_TURNS: dict[tuple[int, NameTuple | None], WholeTurn] = {}
 """Turns ready for the next call: by the plans, which they keep, and the names."""
 MOST_READY_TURNS = 8
 
 
 def _turn_results(
-    scene: Scene, names: NameTuple | None, values: Array | None, given: dict[str, float], errors: bool
+    scene: Scene, names: NameTuple | None, values: Array | None, given: NumbersByName, errors: bool
 ) -> Table:
     """The results for one set of parameters. A turn is made ready in milliseconds, so the last ones are kept; while
     used, one is taken out, for another thread may ask for the same."""

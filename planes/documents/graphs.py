@@ -1,6 +1,5 @@
 """Parts of a sheet beside the positions: graphical constructions over the cycle, and the self-aligning variant."""
 
-from collections.abc import Callable
 from functools import partial
 
 from planes.diagrams.graphical_text import both_graphical_constructions
@@ -41,7 +40,7 @@ def views_without_position(scene: Scene, drawn: Position, composer: Composer) ->
             drawn, self_aligning_variant(drawn.plans, scene.file), composer.naming, title, TABLE_LETTER_MM
         )
 
-    makers: dict[str, Callable[[], View | None]] = {"self-aligning": alignment}
+    makers = {"self-aligning": alignment}
     drive = drawn.plans.drive
     if drive.rotates and drive.velocity:
         makers |= {kind: partial(graphical, kind) for kind in ("differentiation", "integration")}

@@ -74,7 +74,7 @@ def _table_html(results: Table, lang: Lang) -> Iterable[str]:
     head = [f"{name}, {results.units[name]}" for name in results]
     count = len(results.failed)
     columns = [results.columns[name] for name in results]
-    rows: list[Sequence[str]] = [
+    rows = [
         [_cell_text(c[k], lang) for c in columns]
         for k in range(count)
         if k < ROWS_SHOWN_AT_ENDS or k >= count - ROWS_SHOWN_AT_ENDS

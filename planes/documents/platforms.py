@@ -31,11 +31,6 @@ def html_with_indices(text: str) -> str:
     return re.sub(r"\^\{(.*?)\}", r"<sup>\1</sup>", re.sub(r"_\{(.*?)\}", r"<sub>\1</sub>", html.escape(text, False)))
 
 
-def lettered_name_html(name: str, lang: Lang) -> str:
-    """A name as lettered on a page: v_C as v with a subscript."""
-    return html_with_indices(Naming(lang).lettered_vector(name))
-
-
 def question_stem(pool: Pool, opened: str, closed: str) -> str:
     """Title, task and numbers; the placeholder of an individual number is between two signs."""
     text = html_with_indices(pool.task_text(lambda key: f"⟦{key}⟧")).replace("⟦", opened).replace("⟧", closed)
@@ -111,7 +106,8 @@ def _question_head(name: str, text: str, picture: bytes) -> Xml:
 
 def question_html(item: QuizItem, lang: Lang) -> str:
     """The question, with the unit."""
-    return f"<p>{say('quiz_find', lang, name=lettered_name_html(item.name, lang), unit=say(item.unit, lang))}</p>"
+    name = html_with_indices(Naming(lang).lettered_vector(item.name))
+    return f"<p>{say('quiz_find', lang, name=name, unit=say(item.unit, lang))}</p>"
 
 
 def _numerical_question(one: Quiz, item: QuizItem, lang: Lang) -> Xml:

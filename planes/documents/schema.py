@@ -9,7 +9,7 @@ a table whose keys are names chosen by the user (``by_name``), a ``table`` with 
 """
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
 
@@ -27,6 +27,7 @@ from planes.scene.packs import PACKS
 from planes.scene.settings import SHEET_KEYS, SHEET_LIST_KEYS, SHEET_NUMBER_KEYS, SHEET_WORD_CHOICES, YES_OR_NO_KEYS
 from planes.scene.vectors import VECTOR_KEYS
 from planes.words import Lang, available_languages, say, sentences_with_prefix
+from planes.words.names import NamesByName
 from planes.words.records import Json
 from planes.words.units import PLANS_WITH_MU
 
@@ -110,7 +111,7 @@ def json_schema(kind: str, lang: Lang) -> Json:
 class _Forms:
     """Forms in which every key of a table has a description in a language."""
 
-    def __init__(self, meanings: Mapping[str, str]) -> None:
+    def __init__(self, meanings: NamesByName) -> None:
         self.meanings = meanings
 
     def full_form(self, written: str | Json) -> Json:

@@ -41,8 +41,10 @@ from render.views.curve_pieces import drop_steep_ordinates
 from render.views.diagrams import SECTION_COUNT, DiagramCurve, section_width_mm
 from render.views.many import Numbered, PlacedMechanism
 
+DrivePositions = Iterable[float] | None  # degrees or m; None: that of the scene
 
-def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", number: int | None = None) -> Sheet:
+
+def sheet_of(scene: Scene, values: DrivePositions, lang: Lang = "ru", number: int | None = None) -> Sheet:
     """The composed sheet of one position, or of vectors alone; ``number`` is that of a sheet of a project."""
     with using_face(face_of_scene(scene)), using_form_of_scene(scene):
         sheet = _composed_sheet(scene, values, lang, number)
@@ -51,7 +53,7 @@ def sheet_of(scene: Scene, values: Iterable[float] | None, lang: Lang = "ru", nu
     return sheet
 
 
-def _composed_sheet(scene: Scene, values: Iterable[float] | None, lang: Lang, number: int | None) -> Sheet:
+def _composed_sheet(scene: Scene, values: DrivePositions, lang: Lang, number: int | None) -> Sheet:
     drawn = DrawnPosition(replace(scene, find=None) if number else scene, values, lang)
     check_diagram_names(scene, drawn.plans_and_wanted[0])
     composer = Composer(scene, lang, drawn.plans_and_wanted[0])
@@ -85,7 +87,7 @@ def _project_sheet(drawn: "DrawnPosition", composer: Composer, number: int) -> S
             *studio_code_views(scene, lang),
         ], []
 
-    def extents(sizes: Sizes) -> dict[str, float]:
+    def extents(sizes: Sizes) -> NumbersByName:
         """The parts that can grow: the diagrams."""
         if project.turn:
             return {"diagrams": section_width_mm(sizes.factor_of_plan("diagrams")) * SECTION_COUNT}
@@ -110,7 +112,7 @@ class DrawnPosition:
     """One position of a scene, drawn with any sizes of its plans; each once."""
 
     scene: Scene
-    values: Iterable[float] | None
+    values: DrivePositions
     lang: Lang
 
     @cached_property
@@ -157,7 +159,7 @@ class DrawnPosition:
         """The position at the scene's scales."""
         return self.position_at_sizes(Sizes())
 
-    def loaded_scheme_extents(self, sizes: Sizes) -> dict[str, float]:
+    def loaded_scheme_extents(self, sizes: Sizes) -> NumbersByName:
         """The size in mm of the scheme with loads, if its μ is open: its height, or its height on a square field."""
         wide, high = (
             self.loaded_scheme_enlargement(sizes) * mm

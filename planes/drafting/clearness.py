@@ -10,7 +10,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Through
 from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Sense
-from planes.drafting.steps.tracks import Hold, TrackStep
+from planes.drafting.steps.tracks import TrackStep
 from planes.drafting.tools import Things, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.geometry.plane import squared_length
@@ -59,7 +59,7 @@ def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterab
 
 def _sharpness_of_marks(program: Program, tool: Tool) -> dict[str, Real]:
     """The sharpness of every mark; marks cut by the same settled link count once."""
-    cut: dict[str, tuple[Hold, ...]] = {s.makes: s.holds for s in program.steps if isinstance(s, TrackStep)}
+    cut = {s.makes: s.holds for s in program.steps if isinstance(s, TrackStep)}
     first = {holds: name for name, holds in reversed(cut.items())}
     return {n: sharp for n, sharp in tool.sharpness.items() if n not in cut or first[cut[n]] == n}
 

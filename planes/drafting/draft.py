@@ -12,7 +12,7 @@ from planes.drafting.equations import Chain, Equation, Moments, MomentTerms, Ter
 from planes.drafting.steps import Aim, LayOff, MarkStep, Put, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Env, Thing
 from planes.scene.mechanism import Law
 from planes.words import Phrase
 from planes.words.errors import ProgramError
@@ -55,7 +55,7 @@ class Draft:
 
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
-        self.given: dict[str, Thing] = {}
+        self.given: Env = {}
         self.means: dict[str, Meaning] = {}  # of givens and vectors
         self.reckoned: dict[str, Dimension] = {}  # givens that change with the links' dimensions
         self.equations: list[Equation] = []

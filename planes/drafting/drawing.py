@@ -27,7 +27,7 @@ class Drawing(Pictured):
     """The result of a run: every object by name, and the tool that drew it."""
 
     program: Program
-    things: dict[str, Thing]
+    things: Env
     tool: Tool
 
     def __getitem__(self, name: str) -> Thing:
@@ -92,9 +92,7 @@ def draw_until_failure(
     return drawing, None
 
 
-def draw_steps(
-    steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NO_REPLACED_STEPS
-) -> dict[str, Thing]:
+def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NO_REPLACED_STEPS) -> Env:
     """Draw steps one after another into ``things``, some replaced by those of ``instead``; returns the result of each.
 
     Later steps use the entries that the tool leaves in ``things``; of many drawings, failed ones are NaN.

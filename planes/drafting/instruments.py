@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 from planes.drafting.skill import DRAUGHTSMAN_SKILL, RULER_RESOLUTION_MM
 from planes.drafting.tools import Env, Step, Tool
-from planes.geometry.arithmetic import Arithmetic, Many, Point, Real
+from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Shape
 from planes.geometry.listed import ListArithmetic
 from planes.words.frozen import frozen
 
@@ -89,12 +89,12 @@ class _Errors:
             self.array: Any = numpy.random.default_rng(seed)
         self.one = random.Random(seed)
 
-    def normal(self, shape: tuple[int, ...]) -> Real:
+    def normal(self, shape: Shape) -> Real:
         if shape:
             return self.array.standard_normal(shape)
         return self.one.gauss(0.0, 1.0)
 
-    def place_errors(self, shape: tuple[int, ...]) -> Point:
+    def place_errors(self, shape: Shape) -> Point:
         """Errors of a place: to the right, then upwards."""
         return self.normal(shape) + 1j * self.normal(shape)
 

@@ -1,10 +1,10 @@
 """A program: steps in drawing order, checked by name and kind before any number exists, and sliced."""
 
-from collections.abc import Container, Iterable
+from collections.abc import Container, Iterable, Mapping
 from functools import cached_property
 
 from planes.drafting.proofs import Proof, Twofold
-from planes.drafting.steps import Kind, LayOff, MarkStep, Step, Through, Turn
+from planes.drafting.steps import Kind, LayOff, MarkStep, Step, Steps, Through, Turn
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase
@@ -12,6 +12,7 @@ from planes.words.errors import ProgramError, list_valid_choices
 from planes.words.frozen import field, frozen
 from planes.words.names import Mark, NameTuple, PlanId
 
+StepsByName = Mapping[str, Step]
 StepsOf = dict[str, list[Step]]
 
 
@@ -19,7 +20,7 @@ StepsOf = dict[str, list[Step]]
 class Program:
     """A straight sequence of steps. Names that no step makes must be given (a value or a place) for a run."""
 
-    steps: tuple[Step, ...]
+    steps: Steps
     # conditions on the result, in the scene's own numbers; the program does not depend on them
     proofs: tuple[Proof, ...] = field(default=(), compare=False)
 
@@ -45,7 +46,7 @@ class Program:
         return frozenset(s.makes for s in self.steps)
 
     @cached_property
-    def steps_by_result(self) -> dict[str, Step]:
+    def steps_by_result(self) -> StepsByName:
         """The steps by the names of their results."""
         return {s.makes: s for s in self.steps}
 
@@ -105,7 +106,7 @@ class Program:
 
     def steps_to_redraw(
         self, changed: Iterable[str], instead: Container[str] = (), fixed: Container[str] = ()
-    ) -> tuple[Step, ...]:
+    ) -> Steps:
         """The steps to redraw when the givens ``changed`` change, or other steps are drawn ``instead`` of some; results
         in ``fixed`` stay, whatever they depend on."""
         dirty = set(changed)

@@ -14,7 +14,7 @@ from planes.drafting.tools import AskedFor, Thing, Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words.frozen import field, frozen
-from planes.words.names import Mark, MarkTuple, PlanId
+from planes.words.names import Mark, MarkTuple, NameTuple, PlanId
 
 Made = TypeVar("Made")
 MOST_AGREEMENT_GAP_RATIO = 1e-9  # relative: within this, two ways to a number agree
@@ -27,12 +27,12 @@ class Facts:
 
     things: Things
     ar: Arithmetic
-    known: dict[tuple[str, ...], Any] = field(default_factory=dict)
+    known: dict[NameTuple, Any] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Thing:
         return self.things[name]
 
-    def computed_once(self, key: tuple[str, ...], make: Callable[[], Made]) -> Made:
+    def computed_once(self, key: NameTuple, make: Callable[[], Made]) -> Made:
         """A result computed on first request."""
         if key not in self.known:
             self.known[key] = make()
@@ -80,14 +80,10 @@ class Proof:
         """The magnitudes of their terms, in SI."""
         raise NotImplementedError
 
-    def residual_size(self, shown: Facts) -> Real:
-        """The size of the residual, in SI."""
-        return sum(map(shown.ar.size, self.residuals(shown)))
-
     def gap_and_comparison_size(self, shown: Facts) -> tuple[Real, Real]:
         """The gap, and the magnitude it must be small beside: a larger gap is examined again."""
         moving = sum(shown.mark_magnitude(mark) for mark in self.beside if mark in shown.things)
-        return self.residual_size(shown), sum(self.term_magnitudes(shown)) + moving
+        return sum(map(shown.ar.size, self.residuals(shown))), sum(self.term_magnitudes(shown)) + moving
 
     def numbers_for_failure(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
         """The numbers for the sentence about its failure."""

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.geometry.arithmetic import Arithmetic, Point, Real, Shape, Truth
 from planes.words import Phrase, Told
 from planes.words.errors import PlanFailure
 from planes.words.lettering import line_in_words, name_in_words
@@ -38,7 +38,7 @@ class Tool:
     doubt_mm: float = 0.0  # marks no farther apart than this may be one mark
     plans: int = 12  # plans drawn in succession, each with the results of those before, until they agree
     settled: float = 0.01  # the change allowed in the last of them is the root of the rounding error
-    shape: tuple[int, ...] = ()  # shape of a simultaneous drawing; () for one
+    shape: Shape = ()  # shape of a simultaneous drawing; () for one
     sharpness: dict[str, Real] = field(default_factory=dict)
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
     failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)

@@ -19,6 +19,7 @@ SINGLE_VELTKAMP_SPLITTER = 4097.0  # 2¹² + 1 one of 24
 EPS = 2.0**-52
 SINGLE_EPS = 2.0**-23
 N = TypeVar("N", float, Array)
+Shape = tuple[int, ...]  # of arrays
 
 
 def sin_deg(angle: float) -> float:
@@ -122,11 +123,11 @@ class Arithmetic:
         """(r + s)² - |d - c|², without cancellation."""
         return float(squared_circle_gap(c.real, c.imag, d.real, d.imag, r, s))
 
-    def common_shape(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
+    def common_shape(self, shapes: Iterable[Shape]) -> Shape:
         """The common shape of all numbers in a construction."""
         return max(shapes)
 
-    def repeat_for_positions(self, thing: Any, shape: tuple[int, ...]) -> Any:
+    def repeat_for_positions(self, thing: Any, shape: Shape) -> Any:
         """A constant repeated for every position."""
         return thing
 
@@ -179,10 +180,10 @@ class Many(Arithmetic):
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         return squared_circle_gap(c.real, c.imag, d.real, d.imag, r, s)
 
-    def common_shape(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
+    def common_shape(self, shapes: Iterable[Shape]) -> Shape:
         return self.np.broadcast_shapes(*shapes)
 
-    def repeat_for_positions(self, thing: Any, shape: tuple[int, ...]) -> Any:
+    def repeat_for_positions(self, thing: Any, shape: Shape) -> Any:
         return self.np.broadcast_to(thing, shape)
 
     def ignoring_warnings(self) -> AbstractContextManager[None]:

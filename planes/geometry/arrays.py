@@ -1,5 +1,6 @@
 """Names for arrays in annotations; numpy itself is imported only where it is used."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -15,7 +16,9 @@ if TYPE_CHECKING:
     """A picture: grey, or another array of bytes."""
     Floats = float | Array
     """A number of one position, or an array with one for each position."""
+    FloatsByName = Mapping[str, Floats]
+    ArrayPair = tuple[Array, Array]
     Points = complex | Complexes
     """A place or a vector of one position, or an array with one for each position."""
 else:
-    Array = Complexes = Booleans = Indices = Texts = Greys = Floats = Points = object
+    Array = Complexes = Booleans = Indices = Texts = Greys = Floats = FloatsByName = ArrayPair = Points = object

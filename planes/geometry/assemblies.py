@@ -1,15 +1,13 @@
 """The number of ways in which links assemble on their ties, with the method that suits the number of links."""
 
-from collections.abc import Sequence
-
 from planes.geometry.parallel_ties import find_parallel_ties
 from planes.geometry.searched import search_assemblies
 from planes.geometry.sextic import Counted, three_tie_assemblies
-from planes.geometry.tracks import Tie, carrier_links
+from planes.geometry.tracks import Ties, carrier_links
 from planes.geometry.two_tracks import two_link_assemblies
 
 
-def all_assemblies(ties: Sequence[Tie], size: float) -> Counted:
+def all_assemblies(ties: Ties, size: float) -> Counted:
     """All assemblies of one link on three ties, or of two links in a hinge: an exact count; for more links, those
     found."""
     if all(t.link == 0 for t in ties):

@@ -11,7 +11,7 @@ import operator
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
+from planes.geometry.arithmetic import Arithmetic, Point, Real, Shape, Truth
 
 COMPLEX_NAN = complex(math.nan, math.nan)
 
@@ -147,7 +147,7 @@ class ListArithmetic(Arithmetic):
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         return map_elementwise(super().gap, c, d, r, s)
 
-    def repeat_for_positions(self, thing: Any, shape: tuple[int, ...]) -> Any:
+    def repeat_for_positions(self, thing: Any, shape: Shape) -> Any:
         return Listed([thing] * shape[0])
 
 

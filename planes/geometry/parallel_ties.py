@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 
 from planes.geometry import plane
@@ -16,6 +16,7 @@ from planes.geometry.sextic import (
     Counted,
     Laurent,
     axis_of_half_tangent,
+    constant,
     half_tangent_polynomial,
     refine_pose,
     tie_coefficients,
@@ -28,13 +29,13 @@ from planes.geometry.sturm import (
     square_free_part,
     sturm_chain,
 )
-from planes.geometry.tracks import Pose, Tie
+from planes.geometry.tracks import Pose, Tie, Ties
 from planes.words.frozen import frozen, replace
 
 MOST_PARALLEL_SINE = 2e-15  # the sine of an angle between lines that counts as parallel in a drawing
 
 
-def find_parallel_ties(ties: Sequence[Tie]) -> Parallel | None:
+def find_parallel_ties(ties: Ties) -> Parallel | None:
     """Two of three ties whose lines are parallel at every angle of the link, and the third; None where there are
     none."""
     for k in range(3):
@@ -66,8 +67,8 @@ class Parallel:
         parallel to both."""
         a, b = self.first_tie_coefficients
         if self.beside.kind == "arc":
-            reach = Laurent.from_doubles({0: self.beside.reach})
-            four = Laurent.from_doubles({0: 4})
+            reach = constant(self.beside.reach)
+            four = constant(4)
             return reach * reach * four * a * a.conjugate() - b * b
         e, _ = tie_coefficients(self.beside, self.beside)
         return (e.conjugate() * a - e * a.conjugate()).times_i()

@@ -10,6 +10,8 @@ from collections.abc import Collection, Iterable
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 
+Met = tuple[Point, Real, Real]  # a place or direction, how sharply it is determined, and by how much it is missed
+
 
 def cross(a: Point, b: Point) -> Real:
     """Signed area of the parallelogram on ``a`` and ``b``; positive when ``b`` is to the left of ``a``."""
@@ -71,7 +73,7 @@ def greatest_distance(places: Collection[complex]) -> float:
     return max(abs(a - b) for a in places for b in places)
 
 
-def intersect_lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
+def intersect_lines(p: Point, u: Point, q: Point, w: Point) -> Met:
     """Where the line through ``p`` along ``u`` meets the one through ``q`` along ``w`` (unit directions).
 
     Returns the place, the signed sharpness, and the distance between the lines if they were parallel. The place is
@@ -88,7 +90,7 @@ Arm = tuple[Point, Point, Real]  # a place, a direction, a length: how another p
 
 def intersect_line_circle(
     p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Arithmetic, arm: Arm | None = None
-) -> tuple[Point, Real, Real]:
+) -> Met:
     """Where a line meets a circle, ahead (``side`` +1) or behind (-1) of the foot of the perpendicular from its centre.
 
     Returns the place, the sharpness and by how much the line misses the circle (negative: it does not). The half chord
@@ -135,7 +137,7 @@ def intersect_circles(
     return place, quad / (2 * r * s + (r * s == 0)), far, near
 
 
-def tangent_direction(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
+def tangent_direction(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> Met:
     """Direction u of the line through ``c`` that has ``a`` at ``offset`` to its left, ahead (+1) or behind.
 
     It is the tangent from ``a`` to the circle of radius ``offset`` about ``c``, √(|a - c|² - offset²) long. Returns u,

@@ -4,14 +4,15 @@ By R. Descartes' rule of signs on intervals halved until the count is exact (G. 
 """
 
 from fractions import Fraction
-from itertools import pairwise
+
+from planes.geometry.sturm import Fractions, sign_changes
 
 MOST_HALVINGS = 400  # most halvings of an interval; if two roots are still together, they count as one
 EXTRA_HALVINGS = 8  # further halvings below whole numbers, to narrow down a root
 Line = list[int]  # a polynomial, lowest power first
 
 
-def isolate_real_roots(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
+def isolate_real_roots(poly: Line) -> list[Fractions] | None:
     """Intervals of u with one real root each; None where two roots coincide."""
     lead = poly[-1].bit_length()
     more = [-((lead - 2 - q.bit_length()) // k) for k, q in enumerate(reversed(poly[:-1]), 1)]
@@ -21,7 +22,7 @@ def isolate_real_roots(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
     left = [(start, Fraction(-edge), Fraction(2 * edge), 0)]
     while left:
         here, low, wide, depth = left.pop()
-        changes = _count_sign_changes(_shift_unknown_by_one(here[::-1]))
+        changes = sign_changes(_shift_unknown_by_one(here[::-1]))
         if changes == 1:
             ranges.append((low, low + wide))
         if changes < 2:
@@ -50,11 +51,6 @@ def _shift_unknown(poly: Line, by: int) -> Line:
 def _stretch_unknown(poly: Line, by: int) -> Line:
     """The polynomial of the unknown times a factor."""
     return [q * by**k for k, q in enumerate(poly)]
-
-
-def _count_sign_changes(poly: Line) -> int:
-    signs = [q > 0 for q in poly if q]
-    return sum(one != two for one, two in pairwise(signs))
 
 
 def narrow_down_root(poly: Line, low: Fraction, high: Fraction) -> Fraction:

@@ -8,8 +8,8 @@ contains exactly one root.
 from collections.abc import Sequence
 from fractions import Fraction
 
-from planes.geometry.sextic import Counted
-from planes.geometry.tracks import Pose, Tie, carrier_links, newton_step
+from planes.geometry.sextic import Counted, exact_parts
+from planes.geometry.tracks import Pose, Tie, Ties, carrier_links, newton_step
 from planes.words.frozen import frozen, replace
 
 # start places; doubled, up to so many rounds, while any pose was found too seldom
@@ -21,7 +21,7 @@ SAME_POSE_DISTANCE = 1e-6  # of the size: two poses closer than this are one
 PROOF_BOX_SIZE = Fraction(1, 1 << 30)  # of the size, and of a cosine
 
 
-def search_assemblies(ties: Sequence[Tie], size: float) -> Counted:
+def search_assemblies(ties: Ties, size: float) -> Counted:
     """All proved poses found from many start places; it is not proved that there are no others."""
     links = len(carrier_links(ties))
     over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
@@ -35,7 +35,7 @@ def search_assemblies(ties: Sequence[Tie], size: float) -> Counted:
     return Counted(tuple((pose[0] * size, *pose[1:]) for pose in proven), len(met), False, whole=False)
 
 
-def _converged_poses(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
+def _converged_poses(ties: Ties, links: int, count: int) -> list[tuple[Pose, int]]:
     """Where Newton's steps converge from ``count`` start places, and how often."""
     import numpy as np
 
@@ -51,7 +51,7 @@ def _converged_poses(ties: Sequence[Tie], links: int, count: int) -> list[tuple[
             pose = (pose[0], *(axis / abs(axis) for axis in pose[1:]))
     good = (moved < 1e-12 * (1 + abs(pose[0]))) & (abs(det) > 0)
     rows = np.array(pose)[:, good].T
-    places: list[tuple[Pose, int]] = []
+    places = []
     while len(rows):
         near = abs(rows - rows[0]).max(axis=1) < SAME_POSE_DISTANCE * (1 + abs(rows[0][0]))
         places.append((tuple(map(complex, rows[0])), int(near.sum())))
@@ -97,12 +97,12 @@ def _coefficient_sum(form: Affine) -> Fraction:
     return sum(map(abs, form[:-1]), Fraction(0))
 
 
-def is_proved_assembly(ties: Sequence[Tie], pose: Pose) -> bool:
+def is_proved_assembly(ties: Ties, pose: Pose) -> bool:
     """Whether exactly one assembly lies in a box about a pose; lengths are divided by the size of the links."""
     import numpy as np
 
     equations = tie_equations(ties, len(pose) - 1)
-    x = [Fraction(v) for z in pose for v in (z.real, z.imag)]
+    x = [part for z in pose for part in exact_parts(z)]
     slopes = [e.gradient(x) for e in equations]
     try:
         inverse = np.linalg.inv(np.array(slopes, float))
@@ -122,7 +122,7 @@ def is_proved_assembly(ties: Sequence[Tie], pose: Pose) -> bool:
     return True
 
 
-def tie_equations(ties: Sequence[Tie], links: int) -> list[Quadratic]:
+def tie_equations(ties: Ties, links: int) -> list[Quadratic]:
     """The ties, and unit length of every axis; unknowns are the first origin and both components of every axis."""
     width = 3 + 2 * links
     axes = [(_unknown_form(2 + 2 * k, width), _unknown_form(3 + 2 * k, width)) for k in range(links)]
@@ -145,11 +145,10 @@ def _tie_equation(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     turn = exact_parts(t.turn)
     reach = Fraction(t.reach)
     fixed = _constant_form(place[0], width), _constant_form(place[1], width)
+    x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
     if t.kind == "arc":
-        x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
         return Quadratic(((x, x), (y, y)), _constant_form(-reach * reach, width))
     if t.kind == "line":
-        x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
         height = [turn[0] * q - turn[1] * p for p, q in zip(x, y, strict=True)]
         return Quadratic((), [*height[:-1], height[-1] - reach])
     x, y = _subtract_spots(fixed, origin)
@@ -157,11 +156,6 @@ def _tie_equation(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     local = exact_parts(t.local)
     beside = turn[0] * local[1] - turn[1] * local[0]  # direction of the guide, in the link's axes
     return Quadratic(((u, y), ([-q for q in v], x)), _constant_form(-beside - reach, width))
-
-
-def exact_parts(z: complex) -> tuple[Fraction, Fraction]:
-    """Both parts of a complex number, as exact binary fractions."""
-    return Fraction(complex(z).real), Fraction(complex(z).imag)
 
 
 def _unknown_form(k: int, width: int) -> Affine:

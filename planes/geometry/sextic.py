@@ -6,11 +6,11 @@ So J. C. F. Sturm's theorem counts its real roots exactly, and each is bracketed
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from functools import reduce
 
 from planes.geometry.sturm import (
+    Fractions,
     Polynomial,
     isolate_sturm_roots,
     narrow_down_root,
@@ -18,27 +18,33 @@ from planes.geometry.sturm import (
     square_free_part,
     sturm_chain,
 )
-from planes.geometry.tracks import Pose, Tie, newton_step
+from planes.geometry.tracks import Pose, Tie, Ties, newton_step
 from planes.words.frozen import frozen
 
 NEWTON_STEPS = 12
+NOTHING = Fraction(0), Fraction(0)
+
+
+def exact_parts(z: complex) -> Fractions:
+    """Both parts of a complex number, as exact binary fractions."""
+    return Fraction(complex(z).real), Fraction(complex(z).imag)
 
 
 @frozen
 class Laurent:
     """A polynomial in e^{iθ} and its conjugate, with complex rational coefficients by powers."""
 
-    terms: dict[int, tuple[Fraction, Fraction]]
+    terms: dict[int, Fractions]
 
     @classmethod
     def from_doubles(cls, terms: dict[int, complex]) -> Laurent:
         """From complex doubles, taken as exact."""
-        return cls({k: (Fraction(complex(z).real), Fraction(complex(z).imag)) for k, z in terms.items()})
+        return cls({k: exact_parts(z) for k, z in terms.items()})
 
     def __add__(self, other: Laurent) -> Laurent:
         terms = dict(self.terms)
         for k, (x, y) in other.terms.items():
-            p, q = terms.get(k, (Fraction(0), Fraction(0)))
+            p, q = terms.get(k, NOTHING)
             terms[k] = p + x, q + y
         return Laurent(terms)
 
@@ -46,10 +52,10 @@ class Laurent:
         return self + Laurent({k: (-x, -y) for k, (x, y) in other.terms.items()})
 
     def __mul__(self, other: Laurent) -> Laurent:
-        terms: dict[int, tuple[Fraction, Fraction]] = {}
+        terms: dict[int, Fractions] = {}
         for i, (x, y) in self.terms.items():
             for j, (u, v) in other.terms.items():
-                p, q = terms.get(i + j, (Fraction(0), Fraction(0)))
+                p, q = terms.get(i + j, NOTHING)
                 terms[i + j] = p + x * u - y * v, q + x * v + y * u
         return Laurent(terms)
 
@@ -64,6 +70,11 @@ class Laurent:
     def value_at(self, z: complex) -> complex:
         """The value at e^{iθ}, rounded only once."""
         return sum((complex(float(x), float(y)) * z**k for k, (x, y) in self.terms.items()), 0j)
+
+
+def constant(z: complex) -> Laurent:
+    """A complex double as a polynomial of degree zero."""
+    return Laurent.from_doubles({0: z})
 
 
 @frozen
@@ -82,7 +93,7 @@ class Counted:
         return len(self.poses) == self.count and not self.double
 
 
-def three_tie_assemblies(ties: Sequence[Tie]) -> Counted:
+def three_tie_assemblies(ties: Ties) -> Counted:
     """All poses of a link on three ties, by growing angle from -180°."""
     base, one, two = _ties_arc_first(ties)
     (eliminant, place, divisor) = _eliminant_and_place(base, one, two)
@@ -107,7 +118,7 @@ def axis_of_half_tangent(t: float) -> complex:
     return (1 + 1j * t) ** 2 / (1 + t * t)
 
 
-def refine_pose(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
+def refine_pose(ties: Ties, pose: Pose) -> list[Pose]:
     """The pose refined by Newton's steps; None where they do not converge nearby."""
     origin, axis = pose
     size = max(t.coordinate_sum for t in ties)
@@ -120,7 +131,7 @@ def refine_pose(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
     return [(origin, axis)]
 
 
-def _ties_arc_first(ties: Sequence[Tie]) -> tuple[Tie, Tie, Tie]:
+def _ties_arc_first(ties: Ties) -> tuple[Tie, Tie, Tie]:
     """The arc first, if there is one: the other ties are written relative to it."""
     first = next((t for t in ties if t.kind == "arc"), ties[0])
     one, two = (t for t in ties if t is not first)
@@ -130,29 +141,24 @@ def _ties_arc_first(ties: Sequence[Tie]) -> tuple[Tie, Tie, Tie]:
 def tie_coefficients(t: Tie, base: Tie) -> tuple[Laurent, Laurent]:
     """A tie as 2 Re(ā Y) + b = 0 for Y, the base's point relative to the base's place."""
     r = t.local - base.local
-    c = t.place - base.place
+    away = constant(t.place - base.place)
+    half = constant(0.5)
     if t.kind == "guide":
         iw = 1j * t.turn
         force = Laurent.from_doubles({1: iw})
-        arm = Laurent.from_doubles({0: c})
-        half = Laurent.from_doubles({0: 0.5})
         b = (
-            (force.conjugate() * arm + force * arm.conjugate()) * half
+            (force.conjugate() * away + force * away.conjugate()) * half
             - _exact_cross_product(t.turn, r)
-            - Laurent.from_doubles({0: t.reach})
+            - constant(t.reach)
         )
         return Laurent.from_doubles({1: -0.5 * iw}), b
+    arm = Laurent.from_doubles({1: r}) - away
     if t.kind == "line":
         iu = 1j * t.turn
-        arm = Laurent.from_doubles({1: r}) - Laurent.from_doubles({0: c})
-        pull = Laurent.from_doubles({0: iu})
-        half = Laurent.from_doubles({0: 0.5})
-        return Laurent.from_doubles({0: 0.5 * iu}), (
-            pull.conjugate() * arm + pull * arm.conjugate()
-        ) * half - Laurent.from_doubles({0: t.reach})
-    a = Laurent.from_doubles({1: r}) - Laurent.from_doubles({0: c})
-    lengths = [Laurent.from_doubles({0: x}) * Laurent.from_doubles({0: x}) for x in (t.reach, base.reach)]
-    return a, a * a.conjugate() - lengths[0] + lengths[1]
+        pull = constant(iu)
+        return constant(0.5 * iu), (pull.conjugate() * arm + pull * arm.conjugate()) * half - constant(t.reach)
+    lengths = [constant(x) * constant(x) for x in (t.reach, base.reach)]
+    return arm, arm * arm.conjugate() - lengths[0] + lengths[1]
 
 
 def _exact_cross_product(a: complex, b: complex) -> Laurent:
@@ -168,7 +174,7 @@ def _eliminant_and_place(base: Tie, one: Tie, two: Tie) -> tuple[Laurent, Lauren
     divisor = a.conjugate() * c - a * c.conjugate()
     place = d * a - b * c
     if base.kind == "arc":
-        reach = Laurent.from_doubles({0: base.reach})
+        reach = constant(base.reach)
         eliminant = place * place.conjugate() + reach * reach * divisor * divisor
     else:
         e, f = tie_coefficients(base, base)
@@ -186,5 +192,5 @@ def half_tangent_polynomial(trigonometric: Laurent) -> tuple[Polynomial, int]:
         if any(z):
             factors = [plus] * (n + k) + [minus] * (n - k)
             total = total + reduce(Laurent.__mul__, factors, Laurent({0: z}))
-    poly = primitive_polynomial([total.terms.get(k, (Fraction(0), Fraction(0)))[0] for k in range(2 * n + 1)])
+    poly = primitive_polynomial([total.terms.get(k, NOTHING)[0] for k in range(2 * n + 1)])
     return poly, 2 * n + 1 - len(poly)

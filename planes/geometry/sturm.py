@@ -1,12 +1,13 @@
 """Polynomials in rationals, without rounding: how many real roots there are by J. C. F. Sturm's theorem, and each
 caught between two places where the sign differs."""
 
+from collections.abc import Iterable
 from fractions import Fraction
-from functools import reduce
 from itertools import pairwise
-from math import gcd
+from math import gcd, lcm
 
 BRACKET_WIDTH = Fraction(1, 1 << 40)  # width of a bracket before Newton's steps
+Fractions = tuple[Fraction, Fraction]
 Polynomial = list[Fraction]  # coefficients, lowest power first
 
 
@@ -16,7 +17,7 @@ def primitive_polynomial(poly: Polynomial) -> Polynomial:
         poly = poly[:-1]
     if not poly:
         return []
-    below = reduce(lambda m, q: m * q.denominator // gcd(m, q.denominator), poly, 1)
+    below = lcm(*(q.denominator for q in poly))
     integers = [int(q * below) for q in poly]
     common = gcd(*integers)
     return [Fraction(q // common) for q in integers]
@@ -55,11 +56,15 @@ def divide_polynomials(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Po
 
 def count_sign_changes(chain: list[Polynomial], t: Fraction) -> int:
     """The number of sign changes in a chain at t."""
-    signs = [s for s in (polynomial_value(c, t) for c in chain) if s]
-    return sum((one > 0) != (two > 0) for one, two in pairwise(signs))
+    return sign_changes(polynomial_value(c, t) for c in chain)
 
 
-def isolate_sturm_roots(chain: list[Polynomial]) -> list[tuple[Fraction, Fraction]]:
+def sign_changes(numbers: Iterable[int | Fraction]) -> int:
+    """The number of sign changes along some numbers, zeros left out."""
+    return sum(one != two for one, two in pairwise([q > 0 for q in numbers if q]))
+
+
+def isolate_sturm_roots(chain: list[Polynomial]) -> list[Fractions]:
     """Intervals (low, high] with one root each."""
     poly = chain[0]
     bound = 1 + max((abs(q / poly[-1]) for q in poly[:-1]), default=Fraction(0))

@@ -60,9 +60,10 @@ class Tie:
 
 
 Pose = tuple[Point, ...]  # the place of the origin, and the direction of the link's x axis, or of both links'
+Ties = Sequence[Tie]
 
 
-def newton_step(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
+def newton_step(ties: Ties, pose: Pose) -> tuple[Pose, Real, Real]:
     """One step of Newton's method from a pose, the length of the step, and the determinant with its sign.
 
     A link after the first has two ties and a hinge. One combination of both ties has no moment about the hinge, so it
@@ -98,13 +99,13 @@ def newton_step(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
     return (pose[0] + shifts[0], *turned), moved, det
 
 
-def carrier_links(ties: Sequence[Tie]) -> list[int]:
+def carrier_links(ties: Ties) -> list[int]:
     """The link that carries each one: none for the first, the first for the second, at both origins; ties give the
     others."""
     return [0, 0, *(t.link for t in ties if t.kind == "hinge")]
 
 
-def link_origins(ties: Sequence[Tie], pose: Pose) -> list[Point]:
+def link_origins(ties: Ties, pose: Pose) -> list[Point]:
     """The places of the links' origins."""
     origin, *axes = pose
     places = [origin, origin][: len(axes)]
@@ -137,7 +138,7 @@ def _small_rotation(angle: Real) -> Point:
     return (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
 
 
-def closure_residual(ties: Sequence[Tie], axis: Point) -> Real:
+def closure_residual(ties: Ties, axis: Point) -> Real:
     """The residual of three ties for a link along ``axis``, its place eliminated: zero at an assembly.
 
     It is a trigonometric polynomial of the link's angle, of a degree below ``DEGREE``; not scaled.

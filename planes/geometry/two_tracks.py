@@ -8,25 +8,26 @@ formed from the numbers of the ties in whole numbers, without rounding; so its r
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import reduce
 from itertools import pairwise, product
-from math import comb, gcd, lcm
+from math import comb, lcm
 
 from planes.geometry.arithmetic import EPS
 from planes.geometry.real_roots import Line, isolate_real_roots, narrow_down_root
-from planes.geometry.searched import exact_parts
-from planes.geometry.sextic import Counted
-from planes.geometry.tracks import Pose, Tie, newton_step
+from planes.geometry.sextic import Counted, exact_parts
+from planes.geometry.sturm import Polynomial, primitive_polynomial
+from planes.geometry.tracks import Pose, Tie, Ties, newton_step
 
 SLANT_FACTORS = (53, 31)  # the unknown u = 53x + 31y: no two crossings of a symmetrical figure share it
 NEWTON_STEPS = 40
 MOST_ROOT_ROUNDS = 200  # rounds; a pair of near roots needs fifty
+Coefficients = list[int | Fraction]  # of a polynomial in one unknown, lowest power first
 Plane = dict[tuple[int, int], int]  # a polynomial in x and y: integer coefficients by powers
 
 
-def two_link_assemblies(ties: Sequence[Tie]) -> Counted:
+def two_link_assemblies(ties: Ties) -> Counted:
     """All poses of the two links: the place of their hinge and both axes."""
     lengths = [x for t in ties for x in (*exact_parts(t.local), *exact_parts(t.place), Fraction(t.reach))]
     unit = lcm(*(x.denominator for x in lengths))
@@ -120,9 +121,9 @@ def _in_slanted_unknown(track: Plane) -> Plane:
     return _weighted_sum((1, slanted))
 
 
-def _polynomial_in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
+def _polynomial_in_y(track: Plane, u: int | Fraction) -> Coefficients:
     """The polynomial in y of a curve at one u, lowest power first; equally long for every u."""
-    coefficients: list[int | Fraction] = [0] * (1 + max((j for _, j in track), default=0))
+    coefficients: Coefficients = [0] * (1 + max((j for _, j in track), default=0))
     for (k, j), q in track.items():
         coefficients[j] += q * u**k
     return coefficients
@@ -141,24 +142,18 @@ def _resultant_in_u(tracks: list[Plane]) -> Line:
         differences.append(Fraction(table[0], factorial))
         table = [b - a for a, b in pairwise(table)]
         factorial = factorial * (k + 1)
-    poly: list[Fraction] = []
+    poly: Polynomial = []
     for k in reversed(range(degree + 1)):  # Newton's form, expanded from the inside
         shifted = [Fraction(0), *poly]
         poly = [s - k * p for s, p in zip(shifted, [*poly, Fraction(0)], strict=True)]
         poly[0] += differences[k]
-    while poly and not poly[-1]:
-        poly.pop()
-    below = lcm(*(q.denominator for q in poly)) if poly else 1
-    integers = [int(q * below) for q in poly]
-    common = gcd(*integers) or 1
-    return [q // common for q in integers]
+    return [int(q) for q in primitive_polynomial(poly)]
 
 
-def _sylvester_matrix(one: list[int | Fraction], two: list[int | Fraction]) -> list[list[int]]:
-    m = len(one) - 1
-    n = len(two) - 1
-    rows = [[0] * k + one[::-1] + [0] * (n - 1 - k) for k in range(n)]
-    return [[int(q) for q in row] for row in rows + [[0] * k + two[::-1] + [0] * (m - 1 - k) for k in range(m)]]
+def _sylvester_matrix(one: Coefficients, two: Coefficients) -> list[list[int]]:
+    counted = (one, len(two) - 1), (two, len(one) - 1)
+    rows = ([0] * k + poly[::-1] + [0] * (n - 1 - k) for poly, n in counted for k in range(n))
+    return [[int(q) for q in row] for row in rows]
 
 
 def _determinant(rows: list[list[int]]) -> int:
@@ -178,7 +173,7 @@ def _determinant(rows: list[list[int]]) -> int:
     return sign * rows[-1][-1] if size else 1
 
 
-def _poses_at_crossing(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> Iterator[Pose]:
+def _poses_at_crossing(ties: Ties, tracks: list[Plane], u: Fraction, unit: int) -> Iterator[Pose]:
     """The pose where both curves have the same u, by Newton's steps; None where they do not converge there."""
     one, two = (_approximate_roots(_polynomial_in_y(track, u), unit) for track in tracks)
     a, b = min(product(one, two), key=lambda pair: abs(pair[0] - pair[1]))
@@ -198,7 +193,7 @@ def _poses_at_crossing(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, un
         yield pose
 
 
-def _approximate_roots(poly: list[int | Fraction], unit: int) -> list[complex]:
+def _approximate_roots(poly: Coefficients, unit: int) -> list[complex]:
     """All roots, close enough to start Newton's steps (Weierstrass; Durand, Solutions numériques, 1960)."""
     scaled = [Fraction(q) * unit**k for k, q in enumerate(poly)]
     most = max(map(abs, scaled))
@@ -220,7 +215,7 @@ def _approximate_roots(poly: list[int | Fraction], unit: int) -> list[complex]:
     return roots
 
 
-def _axis_from_hinge(ties: Sequence[Tie], hinge: complex) -> complex:
+def _axis_from_hinge(ties: Ties, hinge: complex) -> complex:
     """The axis of a link on two ties, with its hinge given."""
     rows = []
     for t in ties:

@@ -12,8 +12,15 @@ from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.centres import CentreFrames
-from planes.lesson.formulas import SLOT_PATTERN, UNITS_BY_LETTER, in_lesson_languages, plan_scale_text, value_slot
-from planes.lesson.frame import Frame, with_chapters
+from planes.lesson.formulas import (
+    SLOT_PATTERN,
+    UNITS_BY_LETTER,
+    in_brackets,
+    in_lesson_languages,
+    plan_scale_text,
+    value_slot,
+)
+from planes.lesson.frame import Frame, Frames, with_chapters
 from planes.lesson.free_bodies import FreeBodies
 from planes.lesson.moments import as_positions, moment_words
 from planes.lesson.reckoning import Reckoning
@@ -76,10 +83,10 @@ class Teller:
         self.stating = Stating(plans)
         self.bodies = FreeBodies(plans, drawing)
 
-    def lesson_frames(self) -> list[Frame]:
+    def lesson_frames(self) -> Frames:
         """All frames, in drawing order."""
         put = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
-        names = ", ".join(f"⟨{name_without_plan(p.makes)}⟩" for p in put if not p.is_auxiliary_mark)
+        names = in_brackets(name_without_plan(p.makes) for p in put if not p.is_auxiliary_mark)
         key = "points" if self.plans.figure else "fixed"
         frames = [self.make_frame(key, SCHEME_PLAN, tuple(p.makes for p in put), names=names)] if put else []
         readings = []
@@ -101,7 +108,7 @@ class Teller:
             CentreFrames(self.plans, self.make_frame, self.measured_segment_row).insert_chapter(opened)
         )
 
-    def ordered_by_values(self, frames: list[Frame]) -> list[Frame]:
+    def ordered_by_values(self, frames: Frames) -> Frames:
         """The frames in an order in which every number is found before it is used, and each frame that finds one comes
         just before its first use."""
         reckoning = self.reckoning
@@ -180,7 +187,7 @@ class Teller:
             **{**fields, "end": name_without_plan(step.makes), **more},
         )
 
-    def frames_of_values(self, values: list[Step], before: list[Frame]) -> list[Frame]:
+    def frames_of_values(self, values: list[Step], before: Frames) -> Frames:
         """Frames for the values computed since the last mark: angular velocities and accelerations together, each
         moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
@@ -196,7 +203,7 @@ class Teller:
                 frames.append(self.measurement_frame(last.plan, rates, before))
         return frames + [f for v in values if v.makes in self.moments for f in self.moment_equation_frames(v)]
 
-    def measurement_frame(self, plan: PlanId, rates: list[Calculate], before: list[Frame]) -> Frame:
+    def measurement_frame(self, plan: PlanId, rates: list[Calculate], before: Frames) -> Frame:
         """The measurements on a velocity or acceleration plan after an equation is solved, and the angular values from
         them."""
         own = [f for f in before if f.plan == plan]
@@ -235,7 +242,7 @@ class Teller:
         self.spans[read] = (*span, mu)
         return self.reckoning.measured_length_row(name, read, mu, value_slot(read))
 
-    def closing_frames(self, plan: PlanId) -> list[Frame]:
+    def closing_frames(self, plan: PlanId) -> Frames:
         """The reactions read from a closed force polygon, those inside the group each with the link it closes."""
         links = [(one, one.reactions[one.force][0].key) for one in links_with_own_polygon(self.plans, plan)]
         inside = {key for _, key in links}
@@ -265,7 +272,7 @@ class Teller:
         mm = value_slot(r.arm, "mm", SCHEME_PLAN.mu_name)
         return self.make_frame("seated", r.plan, terms=(r.key,), rows=(calculation_row(arm),), force=r.key, mm=mm)
 
-    def moment_equation_frames(self, step: Step) -> list[Frame]:
+    def moment_equation_frames(self, step: Step) -> Frames:
         """A moment equation with its numbers."""
         if not isinstance(step, Calculate):
             return []

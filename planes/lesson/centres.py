@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 
 from planes.lesson.formulas import value_slot
-from planes.lesson.frame import CENTRES_CHAPTER, Frame, Make
+from planes.lesson.frame import CENTRES_CHAPTER, Frame, Frames, Make
 from planes.lesson.rows import Row
 from planes.lesson.steps import Names
 from planes.plans import Plans
@@ -27,7 +27,7 @@ class CentreFrames:
     make: Make
     reading: Callable[[str, PlanId], Row]
 
-    def insert_chapter(self, frames: list[Frame]) -> list[Frame]:
+    def insert_chapter(self, frames: Frames) -> Frames:
         """The frames, the chapter after the velocities."""
         if not self.plans.centres:
             return frames

@@ -10,7 +10,7 @@ from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff
-from planes.lesson.formulas import LESSON_LANGS, in_lesson_languages, sentence_in_lesson_languages
+from planes.lesson.formulas import LESSON_LANGS, in_brackets, in_lesson_languages, sentence_in_lesson_languages
 from planes.lesson.frame import Frame
 from planes.lesson.free_bodies import FreeBodies, links_phrase
 from planes.plans import Plans
@@ -104,7 +104,7 @@ class Choices:
 
     def too_early_reason(self, names: Sequence[str]) -> Json:
         """Why links come too early: forces on them are still unknown."""
-        forces = ", ".join(f"⟨{n}⟩" for n in names)
+        forces = in_brackets(names)
         if names:
             return {"why": sentence_in_lesson_languages("lesson_choice_early", forces=forces)}
         return {}

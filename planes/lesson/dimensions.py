@@ -16,7 +16,7 @@ from planes.plans import Plans
 from planes.plans.position.reckoned import OwnPlace, SceneDimensions, recompute_dimension
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import given_name_of_number
+from planes.words.names import NumbersByName, given_name_of_number
 
 ANGLE_NAME_PREFIX = "angle_∠"
 SAME_POINT_SHARE = 1e-9  # relative to a link: points closer than that are one
@@ -67,7 +67,7 @@ class FreeNumbers:
         return OwnPlace(spot.link, point) if point else spot
 
     @cached_property
-    def values_in_scene(self) -> dict[str, float]:
+    def values_in_scene(self) -> NumbersByName:
         """Every free number as in the scene, of a place both coordinates."""
         flat = {n: float(z) for n, z in given_values_by_name(self.plain).items()}
         means = self.plans.means

@@ -4,7 +4,7 @@ forces, then a beam and a truss.
 A page is the data of a lesson, with the words of each paragraph and the part of the lesson in its figure.
 """
 
-from collections.abc import Container, Mapping
+from collections.abc import Container
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
@@ -107,7 +107,7 @@ def data_of_essay_pages(number: int) -> Json:
             for lang, text in sentence_in_lesson_languages(f"essay_{number}_{k}").items()
         }
         paragraphs.append({"view": view, "frame": _index_of_frame(frame, frames), "knobs": knobs, "said": said})
-    kept: Mapping[str, object] = {"said": {"en": ""}, "why": {"en": ""}}
+    kept = {"said": {"en": ""}, "why": {"en": ""}}
     for unused in ("practice", "results", "blunt"):
         del data[unused]
     titles = [sentence_in_lesson_languages(f"essay_{k}") for k in range(1, len(FIGURES_BY_PAGE) + 1)]

@@ -1,7 +1,6 @@
 """The words of false plans: the assumption, its consequence, and the place of the true plan between two of them."""
 
-from collections.abc import Mapping
-
+from planes.drafting.program import StepsByName
 from planes.drafting.steps import Carry, Image, LayOff, Step
 from planes.drafting.steps.by_leads import CrossFalse
 from planes.drafting.steps.crossings import Cross
@@ -9,7 +8,7 @@ from planes.lesson.formulas import value_slot
 from planes.words.names import NamesByName, name_without_plan
 
 
-def false_plan_step_words(step: Step, made: Mapping[str, Step]) -> tuple[str, str, NamesByName] | None:
+def false_plan_step_words(step: Step, made: StepsByName) -> tuple[str, str, NamesByName] | None:
     """The key of the sentence and of its reason, and the names in it; None for a step outside false plans."""
     if isinstance(step, Image) and isinstance(made.get(step.like[1]), Carry):
         supposed = made.get(step.image[1])

@@ -9,7 +9,7 @@ in ⟨…⟩.
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from planes.drafting.steps.reckoning import Calculate, Product
@@ -46,6 +46,11 @@ def in_lesson_languages(say_in: Callable[[Lang], One]) -> dict[Lang, One]:
 def sentence_in_lesson_languages(key: str, **names: object) -> dict[Lang, str]:
     """A sentence of the table in every language of lessons."""
     return in_lesson_languages(Phrase(key, **names).told)
+
+
+def in_brackets(names: Iterable[str]) -> str:
+    """Names for a sentence, each to be lettered."""
+    return ", ".join(f"⟨{name}⟩" for name in names)
 
 
 def unit_of_name(name: str, key: str = "") -> Phrase | Written:
@@ -112,17 +117,13 @@ def signed_moment_terms(
     letters = numbers = ""
     for i, term in enumerate(step.terms):
         if i not in drop:
-            product = _without_divisor(term, without)
+            product = Product(term.coefficient, tuple(f for f in term.factors if f != (without, -1)))
             names = [n for n, power in product.factors if power % 2]
             names += [arm, sought] if sought else [arm] * bool(arm and arm == without)
             sense = value_slot(("−" if term.coefficient < 0 else "") + "*".join(names), "join" if letters else "lead")
             letters += sense + _product_text(product, size)[1]
             numbers += sense + _product_text(product, lambda n: value_slot(n, "a"))[1]
     return letters, numbers
-
-
-def _without_divisor(term: Product, without: str) -> Product:
-    return Product(term.coefficient, tuple(f for f in term.factors if f != (without, -1)))
 
 
 def _product_text(term: Product, say: Callable[[str], str]) -> tuple[bool, str]:

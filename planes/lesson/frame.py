@@ -9,7 +9,7 @@ from planes.lesson.formulas import SIGN_SLOT_KINDS, factors_of_slot
 from planes.lesson.rows import Row
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
-from planes.words.names import MarkTuple, NamePair, NameTuple, PlanId
+from planes.words.names import MarkTuple, NamePair, NamesByName, NameTuple, PlanId
 
 CENTRES_CHAPTER = "centres"
 """The chapter of instantaneous centres, which is not a plan."""
@@ -35,11 +35,11 @@ class Frame:
     marked: Mapping[Lang, str]
     why: Mapping[Lang, str]
     moments: int | None = None
-    turns: Mapping[str, str] | None = None
+    turns: NamesByName | None = None
     rows: tuple[Row, ...] = ()
     numbers: tuple[NamePair, ...] = ()
     chapter: str = ""
-    still: Mapping[str, str] | None = None
+    still: NamesByName | None = None
 
     @cached_property
     def words_with_rows(self) -> dict[Lang, str]:
@@ -60,10 +60,11 @@ class Frame:
         return [part for how, name in self.numbers if how != "n" for part in factors_of_slot(name)]
 
 
+Frames = list[Frame]
 Make = Callable[..., Frame]  # a frame with its words in every language
 
 
-def with_chapters(frames: list[Frame]) -> list[Frame]:
+def with_chapters(frames: Frames) -> Frames:
     """The frames, each with its plan; a separate chapter includes the frames that find its values."""
     frames_with_chapters = []
     here = "position"

@@ -6,7 +6,8 @@ from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Term
-from planes.lesson.frame import Frame, Make
+from planes.lesson.formulas import in_brackets
+from planes.lesson.frame import Frame, Frames, Make
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
 from planes.words import Phrase
@@ -34,10 +35,10 @@ class FreeBodies:
     plans: Plans
     drawing: Drawing
 
-    def insert_free_bodies(self, frames: list[Frame], make: Make) -> list[Frame]:
+    def insert_free_bodies(self, frames: Frames, make: Make) -> Frames:
         """The frames with each force polygon preceded by the free bodies of its links, and its pole after its
         equation."""
-        opened = list[Frame]()
+        opened = Frames()
         waiting = {}
         for f in frames:
             if f.key == "pole" and f.plan.is_force and self.plans.has_mechanism:
@@ -58,14 +59,14 @@ class FreeBodies:
             unknown += (Phrase("lesson_free_size", name=balancing),)
         carried = [n for n in known if any(n in r.both_reaction_names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
-        why = Phrase(f"why_free_body_{key}", forces=", ".join(f"⟨{n}⟩" for n in carried))
+        why = Phrase(f"why_free_body_{key}", forces=in_brackets(carried))
         yield make(
             "free_body",
             plan,
             reason=why,
             terms=tuple(known),
             links=links_phrase(plan.links),
-            known=", ".join(f"⟨{n}⟩" for n in known) or "—",
+            known=in_brackets(known) or "—",
             unknown=unknown,
             count=str(2 * len(sought) + bool(balancing)),
         )

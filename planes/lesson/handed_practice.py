@@ -13,7 +13,7 @@ from planes.lesson.told import SceneLesson
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
-from planes.words.names import Mark, PlanId
+from planes.words.names import Mark, NumbersByName, PlanId
 from planes.words.records import Json
 
 Numbers = Mapping[str, complex]  # marks and values of the lesson's tape
@@ -144,7 +144,7 @@ class PracticeJudge:
         least = JUDGING_TOLERANCES["ruler_mm"] / JUDGING_TOLERANCES["number_share"]
         return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
 
-    def numbers_at_scale(self, plan: PlanId, scale: float, given: Given) -> dict[str, float]:
+    def numbers_at_scale(self, plan: PlanId, scale: float, given: Given) -> NumbersByName:
         """The numbers with a plan's scale, and with the scales tied to it."""
         times = scale / given[plan.mu_name]
         tied = [k["tied"] for k in self.told.knobs.offered_numbers if k["given"] == plan.mu_name]
@@ -163,7 +163,7 @@ class PracticeJudge:
         """The size of a plan: the distance of its farthest mark, mm."""
         return max((abs(numbers[f"marks {m}"]) for m in self.marks if m.plan == plan), default=0.0)
 
-    def numbers_of_seed(self, seed: int) -> dict[str, float]:
+    def numbers_of_seed(self, seed: int) -> NumbersByName:
         """The numbers for a seed; :class:`PlanesError` where there are none."""
         plans = [p for p in self.told.plans.plan_names if p != "motion"]
         home = self.live.evaluate_on_tape(self.things, self.home)
@@ -178,7 +178,7 @@ class PracticeJudge:
                 return given
         raise PlanesError(Phrase("practice_other_scene", file=str(seed), scene=self.told.scene.file))
 
-    def draw_random_numbers(self, draw: Callable[[], float]) -> dict[str, float]:
+    def draw_random_numbers(self, draw: Callable[[], float]) -> NumbersByName:
         """Numbers near the scene's own."""
         given = dict(self.home)
         drive = self.told.drive

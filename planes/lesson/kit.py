@@ -3,9 +3,10 @@
 A tool is described by marks alone: a page knows their places, whatever numbers are given.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from planes.drafting.drawing import Drawing
+from planes.drafting.program import StepsByName
 from planes.drafting.steps import Aim, Carry, Image, LayOff, Similar, Step, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose, Drop
@@ -29,7 +30,7 @@ class Kit:
     drawing: Drawing
 
     @property
-    def steps_by_result(self) -> Mapping[str, Step]:
+    def steps_by_result(self) -> StepsByName:
         """The steps by their results."""
         return self.drawing.program.steps_by_result
 

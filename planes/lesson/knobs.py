@@ -15,6 +15,7 @@ from planes.words.names import (
     MOTION_PLAN,
     UNIT_OF_LOADING,
     VELOCITY_PLAN,
+    NumbersByName,
     direction_of_given_angle,
     split_value_name,
 )
@@ -54,7 +55,7 @@ class Knobs(FreeNumbers):
                 knobs.append(knob)
         return [{**k, **more} for k in knobs if (more := self.range_about_zero(k, knobs)) or k["at"]]
 
-    def range_about_zero(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
+    def range_about_zero(self, knob: Json, knobs: list[Json]) -> NumbersByName:
         """The range of a number that is zero: the largest of its kind, for an angular acceleration the square of the
         speed; zero where there is none."""
         if knob["at"]:

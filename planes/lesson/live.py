@@ -13,7 +13,7 @@ from planes.check.grading.prepared_plan import catalogue_mistakes, known_plans
 from planes.drafting.drawing import Drawing, draw_steps
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, Things, names_for_step_sentence
-from planes.geometry.arrays import Floats
+from planes.geometry.arrays import FloatsByName
 from planes.lesson import slot_value
 from planes.lesson.formulas import sentence_in_lesson_languages, value_slot
 from planes.lesson.frame import values_of_frames
@@ -114,7 +114,7 @@ class Live:
                 if mark in made:
                     yield practice.mistake_at_mark(variant, mark), made[mark]
 
-    def evaluate_on_tape(self, things: Things, given: Mapping[str, Floats]) -> dict[str, complex]:
+    def evaluate_on_tape(self, things: Things, given: FloatsByName) -> dict[str, complex]:
         """Marks and values of the tape with those numbers."""
         places = {n: self._tape_coordinates(z) for n, z in things.items()}
         numbers = compute_places(

@@ -58,6 +58,7 @@ class Note:
 
     def __post_init__(self) -> None:
         p = self.position
+        self.plans = p.plans
         self.teller = Teller(p.plans, p.drawing, convention=self.scene.mu_convention)
         self.frames = self.teller.lesson_frames()
         self.naming = Naming(self.lang, **scene_lettering(self.scene, p.plans))
@@ -93,8 +94,7 @@ class Note:
 
     def opening_blocks(self) -> Blocks:
         """Title, task and given numbers."""
-        plans = self.position.plans
-        drive = self.position.plans.drive
+        drive = self.plans.drive
         title = text_in(self.lang, self.scene.title)
         yield self.title_page_blocks(title)
         yield Heading(self.say("note_given"))
@@ -106,7 +106,7 @@ class Note:
         head = tuple(map(self.say, ("quantity", "value", "note_unit")))
         given = GivenTable(self.position, self.naming, self.scene.used)
         yield from self.numbered_table(self.given_table, head, [*given.given_rows(), *given.load_law_rows()])
-        yield from map(Paragraph, condition_sentences(plans, self.lang))
+        yield from map(Paragraph, condition_sentences(self.plans, self.lang))
         if remark := text_in(self.lang, self.scene.note):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 
@@ -127,8 +127,8 @@ class Note:
 
     def structure_blocks(self) -> Blocks:
         """Degree of freedom, groups, formula."""
-        s = self.position.plans.structure
-        n = len(self.position.plans.mechanism.links)
+        s = self.plans.structure
+        n = len(self.plans.mechanism.links)
         freedom, redundant = counted_structure_numbers(s)
         told_of = self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant)
         yield from (Heading(self.say("note_structure")), Paragraph(told_of))
@@ -141,7 +141,7 @@ class Note:
 
     def group_blocks(self) -> Iterator[Paragraph]:
         """The class of each group, and why it is determinate."""
-        for g in self.position.plans.structure.groups:
+        for g in self.plans.structure.groups:
             told_of = self.say(
                 "note_group_class", links=", ".join(g.all_links), said=g.group_description.told(self.lang)
             )
@@ -150,7 +150,7 @@ class Note:
     def self_aligning_blocks(self) -> Blocks:
         """The variant without redundant constraints, where there is one."""
         try:
-            variant = self_aligning_variant(self.position.plans, self.scene.file)
+            variant = self_aligning_variant(self.plans, self.scene.file)
         except PlanesError:
             return
         count, numbers, *pairs = alignment_report(variant, self.lang, self.naming.frame).splitlines()
@@ -175,8 +175,8 @@ class Note:
                 yield from self.balancing_comparison()
                 continue
             yield self.plan_figure(plan)
-            for one in links_with_own_polygon(self.position.plans, plan):
-                if one.polygon and one.vector_end_marks(self.position.plans, self.position.drawing):
+            for one in links_with_own_polygon(self.plans, plan):
+                if one.polygon and one.vector_end_marks(self.plans, self.position.drawing):
                     yield self.numbered_figure(one.plan, self.plan_caption(one.plan, plan))
             if plan == "velocity" and self.scene.find is None:
                 yield from self.transfer_blocks()
@@ -184,7 +184,7 @@ class Note:
     def free_body_figures(self, plan: PlanId) -> Blocks:
         """The free body of a force polygon: first the mechanism with its loads, then the links with their forces and
         arms; for the lever its forces."""
-        plans = self.position.plans
+        plans = self.plans
         if not plans.has_mechanism:
             return
         mu = f", μ = {self.scale_text(VELOCITY_PLAN if plan == 'lever' else SCHEME_PLAN)}"
@@ -214,7 +214,7 @@ class Note:
         if not plan.is_force:
             return self.say(f"note_{plan}")
         links = [x for x in plan.links if x]
-        driver = tuple(links) == (self.position.plans.structure.driver,)
+        driver = tuple(links) == (self.plans.structure.driver,)
         alone = self.alone if driver else "note_link_forces"
         return self.say("note_group" if len(links) > 1 else alone if links else "note_forces", links=", ".join(links))
 
@@ -254,7 +254,7 @@ class Note:
 
     def balancing_comparison(self) -> Blocks:
         """The balancing load found in two ways."""
-        plans = self.position.plans
+        plans = self.plans
         drawing = self.position.drawing
         balancing = float(drawing[plans.balancing])
         check = float(drawing[plans.zhukovsky])

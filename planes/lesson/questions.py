@@ -8,6 +8,7 @@ from itertools import count
 
 from planes.diagrams.summary import Summary, summary_of_scene
 from planes.diagrams.text import stroke_sentences
+from planes.lesson.formulas import in_brackets
 from planes.lesson.note import Note
 from planes.plans.assur.alignment import group_pairs
 from planes.plans.assur.groups import Group, Pair
@@ -19,9 +20,9 @@ from planes.solving.document import Block, Blocks, Chart, Figure, Heading, Parag
 from planes.words import put_decimal_signs, sentence_table
 from planes.words.frozen import replace
 from planes.words.lettering import without_index_markup
-from planes.words.names import RATE_PLANS, SCHEME_PLAN, NamePair, PlanTuple
+from planes.words.names import RATE_PLANS, SCHEME_PLAN, NamePair, NamesByName, PlanTuple
 
-QUESTIONS_BY_CHAPTER: Mapping[str, str] = {
+QUESTIONS_BY_CHAPTER: NamesByName = {
     "structure": "link pair chain apart mobility surplus synthesis groups classes",
     "kinematics": "extremes graph scheme order polygons omega similar analytic normal coriolis size_k",
     "forces": "tasks external stages before determinate reactions inertia last statics_surplus",
@@ -44,8 +45,8 @@ class Questions(Note):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self.s = self.position.plans.structure
-        self.m = self.position.plans.mechanism
+        self.s = self.plans.structure
+        self.m = self.plans.mechanism
 
     def document_blocks(self) -> list[Block]:
         """All questions, in three chapters, numbered throughout."""
@@ -70,9 +71,7 @@ class Questions(Note):
             *self.scene_sentence(f"reply_{key}_here"),
             *self.lesson_frames_blocks(*ANSWERING_FRAMES.get(key, ("", "-"))),
         ]
-        shown += (
-            self.plan_figure(plan) for plan in ANSWERING_FIGURES.get(key, ()) if plan in self.position.plans.plan_names
-        )
+        shown += (self.plan_figure(plan) for plan in ANSWERING_FIGURES.get(key, ()) if plan in self.plans.plan_names)
         return [*shown, *getattr(self, f"of_{key}", tuple)()] or [*self.scene_sentence(f"reply_{key}_none")]
 
     def scene_sentence(self, key: str, **more: object) -> Blocks:
@@ -103,8 +102,8 @@ class Questions(Note):
             "curve": self.naming.lettered_curve(driven_link_curves(p.plans)[0]),
             "mu": self.scale_text(SCHEME_PLAN),
             "balancing": f"⟨{p.plans.balancing}⟩",
-            "reactions": ", ".join(f"⟨{name}⟩" for name in p.of("reactions")),
-            "loads": ", ".join(f"⟨{name}⟩" for name in names_of_loads(self.m)) or "—",
+            "reactions": in_brackets(p.of("reactions")),
+            "loads": in_brackets(names_of_loads(self.m)) or "—",
         }
 
     @cached_property
@@ -148,7 +147,7 @@ class Questions(Note):
             return "block"
         if not any(p.has_link(name) and p.has_link(FRAME) for p in self.s.pairs):
             return "rod_guide" if link.guides else "rod"
-        rounds = self.cycle_summary.grid.turns_fully(curves_by_name(self.position.plans)[f"phi_{name}"])
+        rounds = self.cycle_summary.grid.turns_fully(curves_by_name(self.plans)[f"phi_{name}"])
         if link.guides:
             return "lever"
         if rounds:
@@ -175,7 +174,7 @@ class Questions(Note):
             yield Paragraph(put_decimal_signs(line, self.lang))
 
     def of_graph(self) -> Blocks:
-        plans = self.position.plans
+        plans = self.plans
         grid = self.cycle_summary.grid
         unit = "°" if plans.drive.rotates else self.say("m")
         over = f"{without_index_markup(self.naming.lettered_curve(plans.drive.motion_names[0]))}, {unit}"
@@ -187,7 +186,7 @@ class Questions(Note):
             yield Figure(Chart(over, label, (PlottedLine(grid.places, grid.curve_values(curve)),), height_mm=40))
 
     def of_coriolis(self) -> Blocks:
-        for link, slide in self.position.plans.acceleration_slides.items():
+        for link, slide in self.plans.acceleration_slides.items():
             owner = self.naming.link_number(self.m.owner_of_guide(slide.guide))
             key = f"reply_coriolis_{'turns' if slide.coriolis else 'still'}"
             yield from self.scene_sentence(key, link=link, guide=f"⟨{slide.guide}⟩", owner=owner)
@@ -196,7 +195,7 @@ class Questions(Note):
         yield self.numbered_figure("loaded", self.say("loaded"))
 
     def of_stages(self) -> Blocks:
-        for plan in self.position.plans.force_plans:
+        for plan in self.plans.force_plans:
             for f in self.frames:
                 if f.plan == plan and f.key in ("free_body", "equation"):
                     yield from self.frame_blocks(f, 0)

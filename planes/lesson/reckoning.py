@@ -1,8 +1,6 @@
 """No number is used before it is found: the missing values of a sentence, and how they are found."""
 
-from collections.abc import Mapping
-
-from planes.drafting.program import Program
+from planes.drafting.program import Program, StepsByName
 from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.drafting.steps.settling import Fed, Settle
@@ -18,7 +16,7 @@ from planes.words.units import Convention
 class Reckoning:
     """Records which values have been shown."""
 
-    def __init__(self, plans: Plans, made: Mapping[str, Step], convention: Convention) -> None:
+    def __init__(self, plans: Plans, made: StepsByName, convention: Convention) -> None:
         self.plans = plans
         self.made = made
         self.convention = convention

@@ -16,7 +16,7 @@ from planes.lesson.formulas import (
 )
 from planes.words import Lang, say, sentences_with_prefix
 from planes.words.frozen import frozen
-from planes.words.names import split_value_name
+from planes.words.names import NamePair, split_value_name
 from planes.words.records import Json
 
 REMARKED_ROW_KINDS = ("reduced", "couple", "couple_settled")  # kinds of lines that need a remark
@@ -45,10 +45,7 @@ class Row:
         """The line in words."""
         if not self.numbers:
             return f"⟨{self.name}⟩ = 0"
-        parts: dict[str, object] = {
-            "unit": unit_of_name(self.name, self.unit_key),
-            "remark": row_remark(self.kind, lang),
-        }
+        parts = {"unit": unit_of_name(self.name, self.unit_key), "remark": row_remark(self.kind, lang)}
         parts["head"] = self.head or f"⟨{self.name}⟩"
         parts["arm"] = (
             f" (⟨{self.arm}⟩ = {value_slot(self.arm, 'a')} {unit_of_name(self.arm).told(lang)})" if self.arm else ""
@@ -67,7 +64,7 @@ class Row:
         keys = ("name", "kind", "head", "letters", "numbers", "value", "arm", "turns")
         return {k: z for k, z in {**{k: getattr(self, k) for k in keys}, "unit": self.unit_word_key}.items() if z}
 
-    def slots_of_numbers(self) -> Iterator[tuple[str, str]]:
+    def slots_of_numbers(self) -> Iterator[NamePair]:
         """Its numbers: how they are written, and of which values."""
         more = value_slot(self.arm, "a") if self.arm else ""
         sense = value_slot(self.name, "s") if self.turns else ""

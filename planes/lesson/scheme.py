@@ -1,6 +1,6 @@
 """The parts of the lesson's scheme: links, guides, sliders, forces with their arms, and the owners of names."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import chain, permutations
 
 from planes.drafting.drawing import Drawing
@@ -163,7 +163,7 @@ def points_of_application(plans: Plans) -> dict[str, Mark]:
     return marks
 
 
-def owners_by_name(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
+def owners_by_name(plans: Plans, under: NamesByName) -> dict[str, list[str]]:
     """Links and points of the scheme by the names of their vectors and values; ``under`` are the links of points under
     sliders."""
     names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.all_terms}
@@ -178,7 +178,7 @@ def special_points(plans: Plans) -> NamesByName:
     return {label_of(n): m.of for n, m in plans.means.items() if m.quantity == "special"}
 
 
-def _owner_of_name(plans: Plans, name: str, acted_on: Mapping[str, str], under: Mapping[str, str]) -> str:
+def _owner_of_name(plans: Plans, name: str, acted_on: NamesByName, under: NamesByName) -> str:
     """The owner of a vector or value, a point or a link; "" where there is none."""
     links = plans.mechanism.links
     letter, index, _ = split_value_name(name)
@@ -195,7 +195,7 @@ def _owner_of_name(plans: Plans, name: str, acted_on: Mapping[str, str], under: 
     return f"link:{link}" if link in links else ""
 
 
-def _link_of_pair(plans: Plans, symbol: str, more: Mapping[str, str]) -> str:
+def _link_of_pair(plans: Plans, symbol: str, more: NamesByName) -> str:
     """The link that carries both points of "CB", or the slider of a relative motion "HL"."""
     links = plans.mechanism.links.values()
     points = ((x, [*x.points, *(p for p, link in more.items() if link == x.name)]) for x in links)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from planes.drafting.drawing import Drawing
-from planes.lesson.frame import Frame
+from planes.lesson.frame import Frame, Frames
 from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
@@ -14,7 +14,7 @@ MOST_STILL_OFFSET_MM = 1e-4
 """Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""
 
 
-def with_zero_vector_sentences(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
+def with_zero_vector_sentences(frames: Iterable[Frame], plans: Plans) -> Frames:
     """The frames; those that end the vector of a point get the sentence for a zero vector."""
     named: NamesByName = {
         mark: p for p, m in plans.points.items() if p not in plans.fixed_points for mark in (m.velocity, m.acceleration)

@@ -2,6 +2,7 @@
 
 import math
 from cmath import phase
+from collections import defaultdict
 from functools import partial
 
 from planes.drafting.equations import Equation, Term
@@ -84,9 +85,9 @@ class StatedWords(StepWords):
 def equations_by_last_mark(plans: Plans) -> dict[str, list[Equation]]:
     """The equations by the mark that completes all their unknowns on the paper."""
     order = {step.makes: k for k, step in enumerate(plans.program.steps)}
-    solved_at = dict[str, list[Equation]]()
+    solved_at = defaultdict[str, list[Equation]](list)
     for e in plans.equations:
         ends = {e.plan.mark(label) for t in e.all_terms for label in (t.start, t.end)} - {e.plan.pole}
         if ends and ends <= order.keys():
-            solved_at.setdefault(max(ends, key=order.__getitem__), []).append(e)
+            solved_at[max(ends, key=order.__getitem__)].append(e)
     return solved_at

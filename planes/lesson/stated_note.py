@@ -28,18 +28,12 @@ class StatedNote(Note):
 
     def wanted_results(self) -> Sequence[str]:
         """The requested results, or all vectors without given data, and the values."""
-        plans = self.position.plans
         given = self.given_vectors()
-        return names_to_find(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
+        return names_to_find(self.scene) or [*(n for n in self.plans.vectors if n not in given), *self.plans.values]
 
     def given_vectors(self) -> set[str]:
         """The vectors with given length and direction."""
-        return {
-            t.name
-            for e in self.position.plans.equations
-            for t in e.all_terms
-            if t.known_part_count == 2 and not t.drawn
-        }
+        return {t.name for e in self.plans.equations for t in e.all_terms if t.known_part_count == 2 and not t.drawn}
 
     def vectors_table(self) -> Blocks:
         """The results of a scene of vectors."""
@@ -65,10 +59,10 @@ class StaticsNote(StatedNote):
 
     def given_vectors(self) -> set[str]:
         """The loads."""
-        return {f.name for f in self.position.plans.acting.every}
+        return {f.name for f in self.plans.acting.every}
 
     def document_blocks(self) -> list[Block]:
-        figure = self.position.plans.figure
+        figure = self.plans.figure
         assert figure
         blocks = [*self.opening_blocks(), *(Paragraph(x.told(self.lang)) for x in figure.counted), *self.plan_blocks()]
         if figure.moments:

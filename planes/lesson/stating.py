@@ -8,7 +8,7 @@ from itertools import permutations
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import value_slot
-from planes.lesson.frame import Frame, Make
+from planes.lesson.frame import Frame, Frames, Make
 from planes.lesson.reckoning import displayed_name, value_and_length
 from planes.lesson.steps import displayed_term_name, without_repeats
 from planes.plans import Plans
@@ -36,7 +36,7 @@ class Stating:
 
     plans: Plans
 
-    def insert_vector_equations(self, frames: list[Frame], make: Make) -> list[Frame]:
+    def insert_vector_equations(self, frames: Frames, make: Make) -> Frames:
         """The frames, each vector equation before the first frame that draws one of its vectors."""
         frames_with_equations = []
         stated_equations = set()

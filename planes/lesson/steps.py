@@ -7,6 +7,7 @@ from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
+from planes.drafting.program import StepsByName
 from planes.drafting.steps import Carry, Image, LayOff, Put, Same, Similar, Step, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs, Touch
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure
@@ -31,7 +32,7 @@ class StepWords:
 
     plans: Plans
     drawing: Drawing
-    made: Mapping[str, Step]
+    made: StepsByName
 
     def words_of_step(self, step: Step) -> Words:
         """The key of the sentence of a step, of its reason, and its contents besides the step's own names."""

@@ -9,7 +9,7 @@ from planes.drafting.tools import Things
 from planes.geometry.listed import Listed
 from planes.lesson import Teller, slot_value
 from planes.lesson.formulas import in_lesson_languages
-from planes.lesson.frame import Frame, values_of_frames
+from planes.lesson.frame import Frame, Frames, values_of_frames
 from planes.lesson.knobs import Knobs
 from planes.lesson.practice import Practice
 from planes.lesson.steps import displayed_term_name
@@ -37,7 +37,7 @@ class SceneLesson:
     drawing: Drawing
     knobs: Knobs
     teller: Teller
-    frames: list[Frame]
+    frames: Frames
 
     @classmethod
     def of(cls, scene: Scene, centres: bool = False) -> "SceneLesson":

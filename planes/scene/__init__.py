@@ -27,8 +27,9 @@ from planes.scene.parameters import (
 )
 from planes.scene.paths import entries_of_table, line_of_path
 from planes.scene.reader import Fields, Reader
-from planes.scene.source import Node
-from planes.scene.vector_equations import VectorEquation
+from planes.scene.settings import Words
+from planes.scene.source import Nodes
+from planes.scene.vector_equations import VectorEquations
 from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own_equations
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
@@ -61,8 +62,8 @@ class Scene(Pictured):
     """
 
     file: str = ""
-    title: Mapping[str, str] = field(default_factory=nothing)
-    note: Mapping[str, str] = field(default_factory=nothing)
+    title: Words = field(default_factory=nothing)
+    note: Words = field(default_factory=nothing)
     reading: ReadWith = field(default_factory=ReadWith)
     mechanism: Mechanism | None = None
     statement: Statement | None = None
@@ -70,11 +71,11 @@ class Scene(Pictured):
     find: NameTuple | None = None
     sheet: Mapping[str, object] = field(default_factory=nothing)
     where: Where = field(default_factory=nothing, compare=False, repr=False)
-    parts: Mapping[str, Node] = field(default_factory=nothing, compare=False, repr=False)
+    parts: Nodes = field(default_factory=nothing, compare=False, repr=False)
     missing: Mapping[str, str] = field(default_factory=nothing)
     doubts: tuple[Doubt, ...] = ()
     mu_written: Convention | None = None
-    equations: tuple[VectorEquation, ...] = ()  # the user's equations beside a mechanism
+    equations: VectorEquations = ()  # the user's equations beside a mechanism
 
     @property
     def variant(self) -> str | None:
@@ -167,7 +168,7 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     return _scene_from_fields(scene, kind, reading, stated)
 
 
-def _scene_from_fields(scene: Fields, kind: str, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
+def _scene_from_fields(scene: Fields, kind: str, reading: ReadWith, stated: Nodes) -> Scene:
     reader = scene.reader
     table = scene.table
     where = MappingProxyType({path: line for path, _, line in source.walk_nodes(table) if path})
@@ -208,7 +209,7 @@ def _scene_from_fields(scene: Fields, kind: str, reading: ReadWith, stated: Mapp
     )
 
 
-def _mechanism_from_fields(scene: Fields, where: Where, stated: Mapping[str, Node]) -> Mechanism:
+def _mechanism_from_fields(scene: Fields, where: Where, stated: Nodes) -> Mechanism:
     reader = scene.reader
     table = scene.table
     reader.taken = {with_latin_letters(path[-1]) for path in where if path[-2:-1] == ("points",)}

@@ -3,7 +3,7 @@
 import math
 import re
 from collections import Counter
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Container, Iterator
 from dataclasses import fields
 from itertools import combinations
 
@@ -11,12 +11,11 @@ from planes.scene.mechanism import DRIVE_RATE_KEYS, FRAME, LOAD_KINDS, Link, Mec
 from planes.scene.parameters import names_in_node, names_reachable_from
 from planes.scene.paths import Keys, line_of_path, nodes_along_path, texts_with_paths
 from planes.scene.reader import Reader
-from planes.scene.source import Node, SourceScalar, SourceTable
+from planes.scene.source import Nodes, SourceScalar, SourceTable
 from planes.words import Phrase, Written
 from planes.words.errors import Doubt
 
 Doubts = Iterator[tuple[Phrase, Keys]]
-Parameters = Mapping[str, Node]  # as written
 DOUBTFUL_LINK_LENGTH_M = 10.0  # a link this long is more likely given in millimetres
 MOST_PARAMETER_HOPS = 20  # from parameter to parameter
 DOUBTFUL_GRAVITY = 30.0  # m/s²: no planet weighs so much
@@ -40,7 +39,7 @@ _PARAMETER_SECTIONS = ("parameters", "variants")
 _SECTIONS_ALLOWING_EMPTY = (*_PARAMETER_SECTIONS, "vectors")  # where an empty value has a meaning
 
 
-def read_doubts(file: str, table: SourceTable, parameters: Parameters, mechanism: Mechanism | None) -> list[Doubt]:
+def read_doubts(file: str, table: SourceTable, parameters: Nodes, mechanism: Mechanism | None) -> list[Doubt]:
     """All doubts of a scene in the order of the file."""
     doubts = [
         *_empty_value_doubts(table),
@@ -72,7 +71,7 @@ def read_doubts(file: str, table: SourceTable, parameters: Parameters, mechanism
     return sorted(said, key=lambda doubt: doubt.line)
 
 
-def _place_of_doubtful_number(table: SourceTable, parameters: Parameters, phrase: Phrase, path: Keys) -> Keys:
+def _place_of_doubtful_number(table: SourceTable, parameters: Nodes, phrase: Phrase, path: Keys) -> Keys:
     """The place of a number that seems to be in other units: its only parameter, if it has just one."""
     if phrase.key not in UNIT_DOUBT_KEYS:
         return path
@@ -106,13 +105,13 @@ def _empty_value_doubts(table: SourceTable) -> Doubts:
             yield Phrase("doubt_empty", key=".".join(path)), path
 
 
-def _unused_parameter_doubts(table: SourceTable, parameters: Parameters) -> Doubts:
+def _unused_parameter_doubts(table: SourceTable, parameters: Nodes) -> Doubts:
     """Unused parameters: a length misspelt or left behind; those that the note mentions are skipped."""
     idle = parameters_used_only_under(table, parameters, _PARAMETER_SECTIONS)
     yield from ((Phrase("doubt_unused", name=name), ("parameters", name)) for name in idle)
 
 
-def parameters_used_only_under(table: SourceTable, parameters: Parameters, without: Container[str]) -> list[str]:
+def parameters_used_only_under(table: SourceTable, parameters: Nodes, without: Container[str]) -> list[str]:
     """The parameters used nowhere but under the keys ``without``."""
     besides = (node.text for path, node in texts_with_paths(table) if path[0] not in without)
     words = {word for text in besides for word in _WORD_PATTERN.findall(text)}
@@ -120,7 +119,7 @@ def parameters_used_only_under(table: SourceTable, parameters: Parameters, witho
     return [name for name in parameters if name not in used]
 
 
-def _angle_doubts(table: SourceTable, parameters: Parameters) -> Doubts:
+def _angle_doubts(table: SourceTable, parameters: Nodes) -> Doubts:
     """Angles that look like radians, by π in them or by their value, or like a ratio of a triangle's sides."""
     for path, node in texts_with_paths(table):
         if path[0] == "loads" and path[-1] in LOAD_KINDS and _RADIANS_IN_LAW_PATTERN.search(node.text):
@@ -134,7 +133,7 @@ def _angle_doubts(table: SourceTable, parameters: Parameters) -> Doubts:
                 yield Phrase("doubt_ratio", key=path[-1], text=text[:60]), path
 
 
-def _reversed_vector_doubts(table: SourceTable, parameters: Parameters) -> Doubts:
+def _reversed_vector_doubts(table: SourceTable, parameters: Nodes) -> Doubts:
     """Negative loads along or against a motion, and negative vectors: the minus reverses them."""
     every = [(path, _expression_behind(node.text, parameters)) for path, node in texts_with_paths(table)]
     sensed = {path[:2] for path, _ in every if path[0] == "loads" and path[-1] in ("along", "against")}
@@ -153,7 +152,7 @@ def _value_of_number_text(text: str) -> float:
         return math.nan
 
 
-def _expression_behind(text: str, parameters: Parameters) -> str:
+def _expression_behind(text: str, parameters: Nodes) -> str:
     """The expression, or that of the parameter it consists of."""
     for _ in range(MOST_PARAMETER_HOPS):
         node = parameters.get(text.strip())

@@ -1,19 +1,18 @@
 """Friction in a scene: by its coefficient in sliding pairs, by coefficient and pin radius in hinges."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-from planes.scene.mechanism import Journal, Link
+from planes.scene.mechanism import Journal, Link, Links
 from planes.scene.reader import Fields, Reader
 from planes.scene.source import Node, SourceTable
 from planes.words import Phrase
+from planes.words.names import NumbersByName
 
 PIN_KEYS = ("coefficient", "radius")
 
 
-def read_friction(
-    reader: Reader, node: Node, frame: Link, links: Mapping[str, Link]
-) -> tuple[dict[str, float], dict[str, Journal]]:
+def read_friction(reader: Reader, node: Node, frame: Link, links: Links) -> tuple[NumbersByName, dict[str, Journal]]:
     """Coefficients of straight guides by guide; pins of hinges, and circular guides, by their names."""
     table = reader.read_table(node, "friction")
     bodies = (frame, *links.values())
@@ -41,7 +40,7 @@ def read_friction(
     return guides, journals
 
 
-def _guides_slid_on(links: Mapping[str, Link]) -> Iterator[str]:
+def _guides_slid_on(links: Links) -> Iterator[str]:
     for link in links.values():
         yield from (slide.guide for slide in (link.slides, link.slides_round) if slide)
 

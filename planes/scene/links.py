@@ -15,7 +15,7 @@ from planes.scene.paths import line_of_path
 from planes.scene.reader import Fields, Reader
 from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
-from planes.words.names import with_latin_letters
+from planes.words.names import NamesByName, with_latin_letters
 
 LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia", "bearings")
 FRAME_KEYS = ("points", "guides", "number")
@@ -216,7 +216,7 @@ def _check_lookalike_points(reader: Reader, table: SourceTable, links: Iterable[
                 raise reader.error_by_key("points_alike", line, one=one, two=two)
 
 
-def _guide_owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: Link) -> dict[str, str]:
+def _guide_owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: Link) -> NamesByName:
     owners = dict.fromkeys((*frame.guides, *frame.round_guides), FRAME)
     for name, link in links.items():
         for guide in (*link.guides, *link.round_guides):
@@ -229,7 +229,7 @@ def _guide_owners(reader: Reader, table: SourceTable, links: dict[str, Link], fr
     return owners
 
 
-def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: dict[str, str]) -> None:
+def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: NamesByName) -> None:
     guide = link.slides.guide if link.slides else ""
     line = line_of_path(table, (link.name, "slides"))
     if guide not in owners:

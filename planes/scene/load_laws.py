@@ -14,11 +14,11 @@ from planes.scene.expressions import (
     split_into_tokens,
 )
 from planes.scene.law_expressions import LawParser
-from planes.scene.mechanism import FRAME, Amount, Drive, DriveKind, Link, LoadLaw, StrokeLoad
+from planes.scene.mechanism import FRAME, Amount, Drive, DriveKind, Links, LoadLaw, StrokeLoad
 from planes.scene.parameters import names_in_node, names_reachable_from, parameters_depending_on
 from planes.scene.paths import entries_of_table
 from planes.scene.reader import Fields, section_in_words
-from planes.scene.source import Items, Node, SourceScalar, SourceTable
+from planes.scene.source import Items, Node, Nodes, SourceScalar, SourceTable
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, list_valid_choices, quoted_excerpt
 from planes.words.frozen import frozen
@@ -46,7 +46,7 @@ class Coordinate:
         return Phrase(f"law_{self.sort}_{self.letter}", name=self.of)
 
 
-def coordinates_by_name(links: Mapping[str, Link], drive: Drive) -> dict[str, list[Coordinate]]:
+def coordinates_by_name(links: Links, drive: Drive) -> dict[str, list[Coordinate]]:
     """All names a law may use, each with all its meanings; two meanings are one too many."""
     meanings: dict[str, list[Coordinate]] = {}
     for name, coordinate in _named_coordinates(links, drive):
@@ -55,7 +55,7 @@ def coordinates_by_name(links: Mapping[str, Link], drive: Drive) -> dict[str, li
     return meanings
 
 
-def _named_coordinates(links: Mapping[str, Link], drive: Drive) -> Iterator[tuple[str, Coordinate]]:
+def _named_coordinates(links: Links, drive: Drive) -> Iterator[tuple[str, Coordinate]]:
     own = Coordinate(drive.kind, "drive", drive.link)
     yield drive.kind, own
     for link in links.values():
@@ -83,7 +83,7 @@ def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iter
     LawParser(text, dict.fromkeys(known, 1.0), Arithmetic(), [*known, *parameters]).parse_expression()
 
 
-def law_reader_without_mechanism(scene: Fields, stated: Mapping[str, Node]) -> "LawReader | None":
+def law_reader_without_mechanism(scene: Fields, stated: Nodes) -> "LawReader | None":
     """A reader of laws for a scene without a mechanism, where some part of it follows an angle or a length."""
     node = scene.optional_node("drive")
     if node is None:
@@ -96,7 +96,7 @@ def law_reader_without_mechanism(scene: Fields, stated: Mapping[str, Node]) -> "
 class LawReader:
     """Reads numbers of loads that may be laws; ``stated`` are the parameters as written."""
 
-    def __init__(self, scene: Fields, links: Mapping[str, Link], drive: Drive, stated: Mapping[str, Node]) -> None:
+    def __init__(self, scene: Fields, links: Links, drive: Drive, stated: Nodes) -> None:
         self.reader = scene.reader
         self.links = links
         self.drive = drive

@@ -20,10 +20,13 @@ DRIVE_RATE_KEYS = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration"
 Sense = Literal["along", "against"]
 DriveKind = Literal["phi", "s"]
 Order = Literal["left", "right", "ahead", "behind"]
-Where = Mapping[tuple[str, ...], int]
+Where = Mapping[NameTuple, int]
 """Where each part was written: path of keys -> line of the scene file, for errors."""
 
 nothing = partial(MappingProxyType, {})  # an empty table that cannot be changed
+
+
+PlacesByName = Mapping[str, complex]
 
 
 @frozen
@@ -78,7 +81,7 @@ class Link:
     """A rigid link: points and guides in its own axes. A ``mass`` or ``inertia`` of ``None`` was not given."""
 
     name: str
-    points: Mapping[str, complex]
+    points: PlacesByName
     guides: Mapping[str, Guide] = field(default_factory=nothing)
     slides: Slide | None = None
     mass: float | None = None
@@ -215,9 +218,12 @@ class Law:
     """A number of the file, by its path, that shares ``parameter`` with the drive's position and so is valid there
     alone."""
 
-    path: tuple[str, ...]
+    path: NameTuple
     parameter: str
     line: int
+
+
+Links = Mapping[str, Link]
 
 
 @frozen
@@ -225,7 +231,7 @@ class Mechanism:
     """A planar lever mechanism with one drive. ``links`` holds the moving links in the order of the file."""
 
     frame: Link
-    links: Mapping[str, Link]
+    links: Links
     drive: Drive
     loads: tuple[Load, ...] = ()
     gravity: float | None = None
@@ -233,7 +239,7 @@ class Mechanism:
     journals: Mapping[str, Journal] = field(default_factory=nothing)  # by point or circular guide
     assembly: Mapping[str, Assembly] = field(default_factory=nothing)
     where: Where = field(default_factory=nothing, compare=False)
-    laws: Mapping[tuple[str, ...], Law] = field(default_factory=nothing)
+    laws: Mapping[NameTuple, Law] = field(default_factory=nothing)
     frame_number: str = FRAME  # on sheets
     written: WrittenNumbers = field(default_factory=WrittenNumbers, compare=False)
 

@@ -1,6 +1,6 @@
 """Motion and loading of a mechanism in a scene: assembly, drive, loads."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import cast
 
 from planes.scene.load_laws import LawReader
@@ -14,6 +14,7 @@ from planes.scene.mechanism import (
     Drive,
     DriveKind,
     Link,
+    Links,
     Load,
     Order,
     Sense,
@@ -27,7 +28,6 @@ ASSEMBLY_ORDERS = ("left", "right", "ahead", "behind")
 _DIRECTION_KEYS = ("direction", "along", "against")
 DRIVE_KEYS = ("link", "on", "phi", "omega", "epsilon", "s", "velocity", "acceleration", "balance")
 BALANCE_KEYS = ("point", "angle")
-Links = Mapping[str, Link]
 
 
 def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict[str, Assembly]:

@@ -5,6 +5,7 @@ of 3000*sin(phi_1) is calculated once, and would not change as the drive moves.
 """
 
 import math
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -12,7 +13,7 @@ from planes.scene.expressions import RESERVED_NAMES, evaluate_expression, is_par
 from planes.scene.mechanism import LOAD_NUMBER_KEYS, Law
 from planes.scene.paths import Keys, entries_of_table, texts_with_paths
 from planes.scene.reader import MAX_NAME_LENGTH, Reader, has_no_value, part_in_words
-from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse_yaml
+from planes.scene.source import Items, Node, Nodes, SourceScalar, SourceTable, parse_yaml
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, PlanesError, list_valid_choices, quoted_excerpt
 from planes.words.names import NumbersByName, with_latin_letters
@@ -21,7 +22,7 @@ LATIN_SPELLING_OF_VARIANTS = dict(zip("АБВГДЕ", "ABVGDE", strict=True))
 """Russian letters of variants, by their Latin spelling."""
 
 
-def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | None) -> dict[str, float]:
+def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | None) -> NumbersByName:
     """Values of the parameters in the order of the file; those of the chosen variant override them."""
     if node is None:
         return {}
@@ -128,7 +129,7 @@ def variants_meant(asked: str, variants: Iterable[str]) -> dict[str, int]:
     }
 
 
-def resolve_parameters(written: Mapping[str, str]) -> dict[str, float]:
+def resolve_parameters(written: Mapping[str, str]) -> NumbersByName:
     """Values of parameters that may be expressions of one another, in the order given.
 
     An error carries its parameter, as ``parameter``; a cycle is refused with its names.
@@ -169,7 +170,7 @@ _DRIVE_RATE_NUMBER_KEYS = ("omega", "epsilon", "velocity", "acceleration")
 Uses = Mapping[str, list[str]]
 
 
-def read_laws(table: SourceTable, parameters: Mapping[str, Node]) -> dict[Keys, Law]:
+def read_laws(table: SourceTable, parameters: Nodes) -> dict[Keys, Law]:
     """The places of loads, rates and friction whose numbers change with the drive, with the parameter they share."""
     drive = table.entries["drive"]
     assert isinstance(drive, SourceTable)
@@ -221,10 +222,10 @@ def _plain_number_parameters(names: Iterable[str], uses: Uses) -> set[str]:
 
 def parameters_depending_on(names: Iterable[str], uses: Uses) -> set[str]:
     """These parameters, and all that depend on them."""
-    users: dict[str, list[str]] = {}
+    users = defaultdict(list)
     for name, used in uses.items():
         for one in used:
-            users.setdefault(one, []).append(name)
+            users[one].append(name)
     return names_reachable_from(names, users)
 
 

@@ -1,13 +1,14 @@
 """Paths down the tree of a file: the nodes beneath a node, each with its path of keys and its line."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk_nodes
+from planes.scene.source import Items, Node, Nodes, SourceScalar, SourceTable, walk_nodes
+from planes.words.names import NameTuple
 
-Keys = tuple[str, ...]
+Keys = NameTuple
 
 
-def entries_of_table(node: Node | None) -> Mapping[str, Node]:
+def entries_of_table(node: Node | None) -> Nodes:
     """The entries of a table; empty where the node is not a table."""
     return node.entries if isinstance(node, SourceTable) else {}
 

@@ -12,6 +12,7 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.frozen import frozen
 
 T = TypeVar("T")
+Interval = tuple[float, float]  # its least and its greatest number
 MOST_POSITIONS_IN_MEMORY = 10_000_000  # positions held in memory at once
 MOST_TABLE_POSITIONS = 1_000_000_000  # positions of a table, which is written piece by piece
 

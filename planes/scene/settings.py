@@ -11,7 +11,7 @@ from planes.words.errors import quoted_excerpt
 from planes.words.names import NameTuple
 from planes.words.units import PLANS_WITH_MU, Convention, UnitError, plan_and_convention_of_mu, read_mu
 
-Words = dict[str, str]
+Words = Mapping[str, str]  # by language
 
 _SHEET_KEYS_TEXT = """
 title number designation group student teacher checked approved department university company material letter

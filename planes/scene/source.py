@@ -12,7 +12,7 @@ import re
 import stat
 import sys
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -23,6 +23,7 @@ from planes.scene.yaml_faults import explain_yaml_error
 from planes.words import Phrase
 from planes.words.errors import SceneError, quoted_excerpt, suggest_file
 from planes.words.frozen import field, frozen
+from planes.words.names import NameTuple
 from planes.words.records import decode_table
 
 MAX_FILE_BYTES = 1_000_000
@@ -68,9 +69,10 @@ class SourceTable:
 
 
 Node = SourceScalar | Items | SourceTable
+Nodes = Mapping[str, Node]  # by their keys
 
 
-def walk_nodes(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tuple[tuple[str, ...], Node, int]]:
+def walk_nodes(node: Node, path: NameTuple = (), line: int = 0) -> Iterator[tuple[NameTuple, Node, int]]:
     """Every node of the tree with its path of keys (and indices in lists, from "0") and the line of its key."""
     yield path, node, line or node.line
     if isinstance(node, SourceTable):

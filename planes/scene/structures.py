@@ -5,7 +5,7 @@ from types import MappingProxyType
 from typing import Literal, get_args
 
 from planes.scene.load_laws import LawReader
-from planes.scene.mechanism import LoadLaw
+from planes.scene.mechanism import LoadLaw, PlacesByName
 from planes.scene.packs import PACKS
 from planes.scene.reader import LARGEST_SCENE_NUMBER, Fields, section_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
@@ -65,7 +65,7 @@ class Framework:
     """The contents of a scene of statics. ``method`` is None where the program chooses; the ``pole`` of a string
     polygon is in N from the start of the force polygon, or such that the strings pass ``through`` given points."""
 
-    points: Mapping[str, complex]
+    points: PlacesByName
     bodies: Bodies
     members: tuple[NamePair, ...] = ()
     supports: tuple[Support, ...] = ()

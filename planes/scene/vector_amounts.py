@@ -80,7 +80,7 @@ class AmountParser(ExpressionParser):
     """Parses an amount that has no value yet; ``named`` are the names found on plans."""
 
     def __init__(self, text: str, parameters: NumbersByName, named: Iterable[str]) -> None:
-        names: dict[str, Real] = {n: _Sum({((n, 1),): 1.0}, x) for n, x in parameters.items()}
+        names = {n: _Sum({((n, 1),): 1.0}, x) for n, x in parameters.items()}
         names |= {name_without_caret(n): _Sum({((n, 1),): 1.0}, None) for n in named}
         super().__init__(_replace_carets_in_names(text, named), names, [*parameters, *named])
 

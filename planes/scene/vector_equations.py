@@ -4,7 +4,6 @@ import re
 from collections.abc import Callable
 from itertools import pairwise
 
-from planes.scene.expressions import evaluate_expression
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
@@ -48,14 +47,10 @@ class VectorEquation:
         return tuple(t.name for side in self.sides for t in side)
 
 
-def _plain_coefficient(text: str) -> float:
-    """A coefficient of plain numbers."""
-    return evaluate_expression(text, {})
+VectorEquations = tuple[VectorEquation, ...]
 
 
-def read_equation(
-    text: str, number: Number = _plain_coefficient, line: int = 0, chained: bool = True
-) -> VectorEquation:
+def read_equation(text: str, number: Number, line: int, chained: bool = True) -> VectorEquation:
     """Read "v_S = v_B + 0.4*v_CB", "F_1 + F_30 - F_03 = 0" or "a_C = a_B + a_CB^n + a_CB^t = a_D + …"; ``number``
     evaluates a coefficient; in an equation that is not ``chained`` the vectors need not follow one another.
 

@@ -11,7 +11,7 @@ from planes.scene.mechanism import Drive, LoadLaw, nothing
 from planes.scene.reader import LARGEST_SCENE_NUMBER, MAX_NAME_LENGTH, Fields, Reader, part_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.vector_amounts import VectorAmount, read_amount
-from planes.scene.vector_equations import VECTOR_NAME_PATTERN, VectorEquation, read_equation
+from planes.scene.vector_equations import VECTOR_NAME_PATTERN, VectorEquation, VectorEquations, read_equation
 from planes.words import Phrase, Told
 from planes.words.errors import EquationError, ExpressionError, SceneError, list_valid_choices, quoted_excerpt
 from planes.words.frozen import field, frozen, replace
@@ -58,7 +58,7 @@ class Statement:
     ``quantity`` is the plan whose unit its ``mu`` has. The ``subject`` of a pack states the vectors itself."""
 
     vectors: Mapping[str, VectorGiven] = field(default_factory=nothing)
-    equations: tuple[VectorEquation, ...] = ()
+    equations: VectorEquations = ()
     values: Mapping[str, Amount] = field(default_factory=nothing)
     parameters: NumbersByName = field(default_factory=nothing)
     quantity: str | None = None
@@ -66,7 +66,7 @@ class Statement:
     drive: Drive | None = None  # the variable of the laws among them
 
 
-def read_own_equations(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
+def read_own_equations(reader: Reader, node: Node) -> VectorEquations:
     """The user's equations beside a mechanism, whether they hold or not."""
     equations = []
     for n, entry in enumerate(reader.read_list(node, "equations") if isinstance(node, Items) else [node], 1):
@@ -215,7 +215,7 @@ class StatementReader:
         one, two = (self.read_vector_name(item, self.reader.read_text(item, label), label) for item in items)
         return Similarity(pattern, shape=(one, two))
 
-    def read_equations(self, node: Node) -> tuple[VectorEquation, ...]:
+    def read_equations(self, node: Node) -> VectorEquations:
         """The equations with their lines."""
         nodes = self.reader.read_list(node, "equations") if isinstance(node, Items | SourceTable) else [node]
         if not nodes:

@@ -8,7 +8,7 @@ from typing import Any
 import yaml
 
 from planes.scene.paths import entries_of_table
-from planes.scene.source import Node, SourceScalar, SourceTable, parse_yaml
+from planes.scene.source import Nodes, SourceScalar, SourceTable, parse_yaml
 
 
 class _Lines(yaml.SafeDumper):
@@ -24,12 +24,7 @@ def scene_file_text(parts: Mapping[str, object]) -> str:
 
 
 def scene_text_with_numbers(
-    text: str,
-    file: str,
-    variant: str | None,
-    numbers: Mapping[str, str],
-    sheet: Mapping[str, Node],
-    without: Container[str] = (),
+    text: str, file: str, variant: str | None, numbers: Mapping[str, str], sheet: Nodes, without: Container[str] = ()
 ) -> str:
     """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` joins its own. Keys it
     is to be ``without`` are left out, those of its sheet too."""

@@ -1,7 +1,7 @@
 """Charts of methods: speed against accuracy with its front, errors on the way to a limit, and turning curves."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import cycle
 from pathlib import Path
 from typing import Any
@@ -15,8 +15,9 @@ from matplotlib.ticker import MultipleLocator
 from planes.accuracy.methods import Method
 from planes.accuracy.stability import Approach
 from planes.accuracy.turning import Turning
-from planes.geometry.arrays import Array, Booleans, Indices
+from planes.geometry.arrays import Array, ArrayPair, Booleans, Indices
 from planes.words import Lang, say
+from planes.words.names import NamesByName
 from render.charts import CURVE_LOOKS, FILE_CHART_STYLE, annotate_beside, save_figure
 
 METHOD_COLOURS = (
@@ -60,7 +61,7 @@ def draw_method_charts(
     seconds: str,
     way: Approach | None,
     axis: str,
-    names: Mapping[str, str],
+    names: NamesByName,
     lang: Lang,
     turn: tuple[Turning, str] | None = None,
 ) -> None:
@@ -188,7 +189,7 @@ def conclusion_of_stability(way: Approach, lang: Lang) -> str:
     return say(key, lang, near=power_of_ten(min(kept, default=max(way.distances))))
 
 
-def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str], lang: Lang) -> None:
+def draw_approach(plot: Axes, way: Approach, axis: str, names: NamesByName, lang: Lang) -> None:
     """Errors of every method on the way to a limit, the claimed one as a band."""
     plot.set(xscale="log", yscale="log", xlabel=axis, ylabel=say("chart_at", lang))
     plot.set_title(say(f"chart_{way.limit.kind}", lang), fontsize=10)
@@ -201,12 +202,7 @@ def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str]
         colour, marker, dashes = looked[key]
         shown = [max(e, LEAST_DRAWN_ERROR) if e < MOST_DRAWN_ERROR else float("nan") for e in errors]
         wide = {"method_scalar": 1.8, "method_batch": 1.6, "method_compiled": 1.6}.get(key, 1.0)
-        looks: dict[str, Any] = {
-            "color": METHOD_COLOURS[colour],
-            "marker": marker,
-            "linestyle": dashes,
-            "linewidth": wide,
-        }
+        looks = {"color": METHOD_COLOURS[colour], "marker": marker, "linestyle": dashes, "linewidth": wide}
         plot.plot(d, shown, markersize=3.5, label=names[key], **looks)
     plot.set_xlim(max(d) * 2, min(d) / 2)
     shown = [
@@ -243,7 +239,7 @@ def draw_turning(plot: Axes, turn: Turning, axis: str, lang: Lang) -> None:
     plot.set_yticks(ticks, [f"{t:.3g}" for t in ticks])
 
 
-def _break_curve_at_edges(values: Array, lengths: Array, low: float, high: float) -> tuple[Array, Array]:
+def _break_curve_at_edges(values: Array, lengths: Array, low: float, high: float) -> ArrayPair:
     """A curve shifted into the chart's turn of the drive, broken where it crosses its edge."""
     inside = (values - low) % (high - low) + low
     inside = np.where((values < low) | (values > high), inside, values)

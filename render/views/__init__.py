@@ -107,7 +107,7 @@ def stack_views(key: str, views: Sequence[View], gap: float = 6.0, centred: bool
     """Views one beneath another, flush left or centred, as one view with the title of the first."""
     marks = list[Mark]()
     y = 0.0
-    boxes = list[Bounds]()
+    boxes = []
     for one in (replace(views[0], title=""), *views[1:]):
         by = complex(-(one.box[0] + one.box[2]) / 2 if centred else -one.box[0], y - one.box[3])
         marks += (move_mark(mark, by) for mark in one.marks)

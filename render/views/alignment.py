@@ -1,6 +1,7 @@
 """The self-aligning variant drawn: the scheme with the signs of cylindrical and spherical pairs, and their names."""
 
 import math
+from collections import defaultdict
 from dataclasses import dataclass, replace
 
 from planes.plans.assur.alignment import Aligned, Sign
@@ -10,6 +11,7 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.naming import Naming
 from render.labels import Label
+from render.labels.candidates import Size
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark, Text, move_mark
 from render.paper.style import HINGE_RADIUS_MM
@@ -65,11 +67,11 @@ class AlignedScheme(Scheme):
     def add_letters(self) -> None:
         """Letters of the points, with the signs of the pairs there."""
         super().add_letters()
-        said: dict[str, list[str]] = {}
+        said = defaultdict(list)
         for pair, sign in self.aligned.pairs:
             short = say(f"short_{sign}", self.naming.lang)
             if pair.kind == "R":
-                said.setdefault(pair.point, []).append(short)
+                said[pair.point].append(short)
             elif self.places.is_drawn((link := self.mechanism.links[pair.link]).first_point):
                 foot, _ = self.places.foot_on_guide(link)
                 text = f"{sliding_pair_name(pair, self.naming)}_{{{short}}}"
@@ -80,7 +82,7 @@ class AlignedScheme(Scheme):
                 self.named[k] = replace(label, text=text, clear=CUP_RADIUS_MM)
 
 
-def _bushing_edges(foot: complex, angle: float, size: tuple[float, float]) -> Marks:
+def _bushing_edges(foot: complex, angle: float, size: Size) -> Marks:
     """Short strokes over both ends of a slider's block: the edges of its bore."""
     along = symbols.unit_vector(angle)
     long, wide = size

@@ -32,7 +32,7 @@ class BeamDiagrams:
     def drawn_marks(self) -> Marks:
         """The beam with its letters, and the diagrams beneath it."""
         marks = list[Mark]()
-        named = list[Label]()
+        named = []
         y = -8.0
         stops = {p: self.mu * x for p, x in self.found.stops.items()}
         left = min(stops.values())

@@ -25,7 +25,7 @@ class Cremona:
     def drawn_marks(self) -> Marks:
         """All marks with their letters."""
         marks = list[Mark]()
-        named = list[Label]()
+        named = []
         regions = dict[str, complex]()
         senses = member_strains(self.plotted.figure, self.plotted.drawing)
         for s in self.plotted.drawn_segments(CREMONA_PLAN):

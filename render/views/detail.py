@@ -11,7 +11,7 @@ from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, move_mark
 from render.paper.style import figure_letter_height
 from render.paper.symbols import Marks
 from render.views import TITLE_GAP_MM
-from render.views.plotted import Ends, lines_overlap
+from render.views.plotted import Ends, length_of, lines_overlap
 
 LEAST_READABLE_VECTOR_MM = 3.0  # a vector shorter than this is drawn again
 SHARED_DETAIL_DISTANCE_MM = 3.0  # short vectors closer than this share one detail
@@ -160,7 +160,7 @@ def _circle_and_enlargement(group: Sequence[Ends]) -> tuple[complex, float, int]
 def group_short_vectors(vectors: Iterable[Ends], alone: bool = True) -> Groups:
     """Short vectors by details: neighbours together, and again, separately, those that are hardly visible there."""
     details = Groups()
-    for group in _group_neighbours(ends for ends in vectors if abs(ends[1] - ends[0]) < LEAST_READABLE_VECTOR_MM):
+    for group in _group_neighbours(ends for ends in vectors if length_of(ends) < LEAST_READABLE_VECTOR_MM):
         times = _circle_and_enlargement(group)[2]
         lost = [(a, b) for a, b in group if abs(b - a) * times < LEAST_VISIBLE_PART_MM]
         parted = len(lost) < len(group)

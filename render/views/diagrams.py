@@ -9,6 +9,7 @@ from planes.plans.curves import driven_link_and_sliding
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.lettering import without_index_markup
+from planes.words.names import NamePair
 from planes.words.naming import Naming
 from planes.words.read_off import read_off_text
 from planes.words.units import number_text, standard_mu
@@ -107,7 +108,7 @@ class Diagrams:
         return say(key, self.naming.lang, link=self.naming.link_number(link))
 
     @property
-    def driver_letter_and_unit(self) -> tuple[str, str]:
+    def driver_letter_and_unit(self) -> NamePair:
         """The letter of the driver's coordinate, and its unit."""
         return ("φ", "°") if self.plans.drive.rotates else ("s", "m")
 
@@ -242,7 +243,7 @@ class Diagrams:
         """The same with dots and values at the least and the greatest."""
         lang = self.naming.lang
         added = list(marks)
-        named = list[Label]()
+        named = []
         for side, (place, value) in self.extreme_places(curve):
             z = axes.value_place(self.abscissa_of(place), value)
             seen = abs(axes.mu * value) > 1e-6

@@ -15,7 +15,7 @@ from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.style import figure_letter_height
 from render.paper.symbols import turn_arrow, unit_vector
 from render.paper.typeset import ink_width
-from render.views.plotted import Ends, Places, direction_deg
+from render.views.plotted import Ends, Places, direction_deg, length_of
 
 EXTENSION_LINE_OVERRUN_MM = 1.5  # of an extension line beyond the arrow
 NUMBER_RISE_MM = 0.9  # of the number over the dimension line
@@ -45,8 +45,7 @@ class Size:
     def has_room_for_text(self) -> bool:
         """Whether it is long enough for its text and the heads beside it."""
         return (
-            abs(self.ends[1] - self.ends[0])
-            > ink_width(self.text, figure_letter_height(NUMBER_LETTER_MM)) + ARROWHEADS_LENGTH_MM
+            length_of(self.ends) > ink_width(self.text, figure_letter_height(NUMBER_LETTER_MM)) + ARROWHEADS_LENGTH_MM
         )
 
     def extension_lines(self) -> list[Line]:

@@ -4,7 +4,8 @@ link turns; a relative velocity turned with its guide by a right angle, Coriolis
 import math
 from collections.abc import Iterator, Sequence
 
-from planes.drafting.steps import LayOff, Step, Through, Turn
+from planes.drafting.program import StepsByName
+from planes.drafting.steps import LayOff, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.reckoning import quotients_by_name
 from planes.solving import Position
@@ -37,7 +38,7 @@ class Directions:
     naming: Naming
 
     @property
-    def steps_by_result(self) -> dict[str, Step]:
+    def steps_by_result(self) -> StepsByName:
         """The steps by their results."""
         return self.position.drawing.program.steps_by_result
 

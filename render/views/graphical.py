@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from planes.diagrams.graphical import Construction, Stage
 from planes.drafting.drawing import Drawing
+from planes.scene.ranges import Interval
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.names import PlanId
@@ -67,7 +68,7 @@ class Graphical:
             for t, y in zip(m.dense_time, m.curves[stage.rank], strict=True)
         ]
 
-    def ordinate_range(self, stage: Stage) -> tuple[float, float]:
+    def ordinate_range(self, stage: Stage) -> Interval:
         """The lowest and the highest ordinate, mm."""
         levels = [0.0, *(z.imag for z in (*self.curve_points(stage), *self.exact_curve(stage)))]
         return min(levels), max(levels)

@@ -11,7 +11,7 @@ from planes.geometry.plane import direction_between
 from planes.plans.force.loads import name_of_force
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import NameTuple, PlanId
+from planes.words.names import NamesByName, NameTuple, PlanId
 from planes.words.naming import Naming
 from planes.words.units import number_text
 from render.labels import Label
@@ -45,7 +45,7 @@ class Arrows:
     and the arrows already drawn."""
 
     upon: list[Ends] = field(default_factory=list)
-    taken: list[tuple[complex, complex]] = field(default_factory=list)
+    taken: list[Ends] = field(default_factory=list)
 
     def place_force_arrow(
         self, point: complex, way: complex, from_outside: bool = False, arm: float = math.inf
@@ -242,17 +242,17 @@ class Loading:
 
     def inner_reaction_names(self) -> set[str]:
         """Names of the reactions between these links, and of their couples."""
-        names = set[str]()
+        names = set()
         for key, r in self.plans.reactions.items():
             if {r.pair.link, r.pair.other} <= set(self.links):
                 names |= {key, name_of_force(r.pair.other, r.pair.link), r.moment}
         return names
 
-    def outer(self) -> dict[str, str]:
+    def outer(self) -> NamesByName:
         """Names of the reactions from outside on these links, whole and in components, that are not known from an
         earlier plan; with the reaction that each is, or is opposite to."""
         known = {f.name for link in self.links for f in self.plans.acting.forces[link]}
-        reactions: dict[str, str] = {}
+        reactions: NamesByName = {}
         for key, reaction in self.plans.reactions.items():
             link = reaction.pair.link
             other = reaction.pair.other
@@ -295,7 +295,7 @@ class Loading:
     def arms(self) -> list[Arm]:
         """The arms in the moment equations."""
         drops = arm_steps_by_result(self.drawing)
-        arms = list[Arm]()
+        arms = []
         for name, arm, _ in (term for one in self.equations for term in nonzero_terms(self.drawing, one)):
             step = drops.get(arm)
             if step and step.makes in self.drawing:

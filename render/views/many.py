@@ -3,7 +3,7 @@
 import cmath
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import groupby, pairwise
 from statistics import median
@@ -12,7 +12,7 @@ import numpy as np
 
 from planes.geometry.plane import perpendicular_foot
 from planes.plans import Plans
-from planes.scene.mechanism import FRAME, Link
+from planes.scene.mechanism import FRAME, Link, Mechanism, PlacesByName
 from planes.words import Lang, say
 from planes.words.frozen import frozen
 from planes.words.names import NumbersByName
@@ -34,7 +34,7 @@ DRAWN_REACH_RATIO = 1.3  # and the limit if it grows beyond that: positions fart
 class PlacedMechanism:
     """A mechanism in one position: the places of its points, in m, and the angles of its links, in degrees."""
 
-    points: Mapping[str, complex]
+    points: PlacesByName
     angles: NumbersByName
 
 
@@ -62,6 +62,11 @@ class ManyPositions:
         """The place of a point in a position, on paper."""
         return result.points[point] * self.mu
 
+    @property
+    def mechanism(self) -> Mechanism:
+        """The drawn mechanism."""
+        return self.plans.mechanism
+
     @cached_property
     def most_reach(self) -> float:
         """Largest distance of a drawn point from the driver's pair: near a dead point it may be anywhere."""
@@ -84,7 +89,7 @@ class ManyPositions:
 
     def position_reach(self, result: PlacedMechanism) -> float:
         """The largest distance of a point from the driver's pair, on paper."""
-        centre = self.place_on_paper(result, self.plans.mechanism.links[self.plans.drive.link].first_point)
+        centre = self.place_on_paper(result, self.mechanism.links[self.plans.drive.link].first_point)
         return max(abs(self.place_on_paper(result, p) - centre) for p in result.points)
 
     def fits_on_paper(self, result: PlacedMechanism | None) -> bool:
@@ -92,17 +97,12 @@ class ManyPositions:
         return result is not None and self.position_reach(result) <= self.most_reach
 
     @cached_property
-    def turn_with_fit(self) -> list[tuple[PlacedMechanism | None, bool]]:
-        """The finer turn, with whether each of its positions fits on the paper."""
-        return [(result, self.fits_on_paper(result)) for result in self.turn]
-
-    @cached_property
     def marks(self) -> list[Mark]:
         """Bars of all links in all positions, the extreme ones blacker, and the paths."""
         bars = list[Mark]()
         for one, result in self.drawn_positions():
             style = "thin" if one.extreme else "construction"
-            shapes = (x for link in self.plans.mechanism.links.values() for x in self.link_shapes(link, result))
+            shapes = (x for link in self.mechanism.links.values() for x in self.link_shapes(link, result))
             bars += (Line(tuple(shape), style, "construction", name=POSITION_NAME_PREFIX) for shape in shapes)
         return [*bars, *self.path_marks()]
 
@@ -112,8 +112,8 @@ class ManyPositions:
 
     def link_shapes(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
         """One stroke through the joints of a link, and the rods of its guides up to their sliders."""
-        hinged = {p for x in self.plans.mechanism.bodies if x is not link for p in x.points}
-        own = self.plans.mechanism.points_without_guide_centre(link)
+        hinged = {p for x in self.mechanism.bodies if x is not link for p in x.points}
+        own = self.mechanism.points_without_guide_centre(link)
         held = [p for p in own if p in hinged]
         loose = [p for p in own if p not in hinged and p != link.centre] if len(held) < 2 else []
         joints = [self.place_on_paper(result, p) for p in (*held, *loose)]
@@ -123,7 +123,7 @@ class ManyPositions:
         for guide in link.guides:
             feet = [
                 self.foot_on_guide(x, guide, result)
-                for x in self.plans.mechanism.bodies
+                for x in self.mechanism.bodies
                 if x.slides and x.slides.guide == guide
             ]
             through, along = self.guide_line(guide, result)
@@ -136,7 +136,7 @@ class ManyPositions:
 
     def guide_line(self, guide: str, result: PlacedMechanism) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
-        mechanism = self.plans.mechanism
+        mechanism = self.mechanism
         owner = mechanism.link(mechanism.owner_of_guide(guide))
         given = mechanism.guide(guide)
         along = cmath.exp(1j * math.radians(given.angle_deg))
@@ -153,7 +153,7 @@ class ManyPositions:
     @property
     def points_with_paths(self) -> Sequence[str]:
         """The chosen points; by default the hinges without those on a frame's guide, whose paths are straight."""
-        m = self.plans.mechanism
+        m = self.mechanism
         sliders = (x for x in m.links.values() if x.slides and m.owner_of_guide(x.slides.guide) == FRAME)
         plain = {*m.frame.points, *(p for x in sliders for p in x.points)}
         counted = Counter(p for link in m.links.values() for p in link.points)
@@ -163,15 +163,15 @@ class ManyPositions:
         """Paths, dashed."""
         dashed = list[Mark]()
         for point in self.points_with_paths:
-            for there, places in groupby(self.turn_with_fit, key=lambda one: one[1]):
-                run = [self.place_on_paper(result, point) for result, _ in places if result and there]
+            for there, places in groupby(self.turn, key=self.fits_on_paper):
+                run = [self.place_on_paper(result, point) for result in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
                     dashed.append(Line(tuple(run[self.one_way_slice(point, run)]), "dash", "construction"))
         return dashed
 
     def one_way_slice(self, point: str, run: Sequence[complex]) -> slice:
         """The path from one end of a rocker's swing to the other: dashes of the way back would fill the gaps."""
-        m = self.plans.mechanism
+        m = self.mechanism
         pivots = [q for link in m.links.values() if point in link.points for q in m.frame.points if q in link.points]
         if not pivots:
             return slice(None)
@@ -191,8 +191,8 @@ class ManyPositions:
         of extreme ones at sliders of the frame, or at the ends of rockers if there are none."""
         drive = self.plans.drive
         pair = self.plans.structure.drive_pair
-        link = self.plans.mechanism.links[drive.link]
-        numbers = list[Label]()
+        link = self.mechanism.links[drive.link]
+        numbers = []
         hinged = self.points_of_other_links(link)
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
         ends.sort(key=lambda p: p not in hinged)
@@ -210,7 +210,7 @@ class ManyPositions:
 
     def points_of_other_links(self, link: Link) -> set[str]:
         """The points of all moving links except one."""
-        return {p for x in self.plans.mechanism.links.values() if x is not link for p in x.points}
+        return {p for x in self.mechanism.links.values() if x is not link for p in x.points}
 
     def farthest_drawn_point(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
         """The end of the drawn part of a link with no point but its pivot."""
@@ -219,7 +219,7 @@ class ManyPositions:
 
     def followers_on_frame(self) -> Iterator[tuple[Link, str]]:
         """The links except the driver that slide on the frame or turn about it, each with its farthest point."""
-        m = self.plans.mechanism
+        m = self.mechanism
         for link in m.links.values():
             if link.name != m.drive.link:
                 held = [p for p in link.points if p in m.frame.points]
@@ -246,15 +246,15 @@ class ManyPositions:
 
     def outward_direction(self, link: Link, z: complex) -> complex:
         """The direction away from the pivot of a link, or from the guide of the frame it slides on."""
-        frame = self.plans.mechanism.frame
+        frame = self.mechanism.frame
         if link.slides:
-            return -1j * cmath.rect(1, math.radians(self.plans.mechanism.guide(link.slides.guide).angle_deg))
+            return -1j * cmath.rect(1, math.radians(self.mechanism.guide(link.slides.guide).angle_deg))
         return z - next(frame.points[p] for p in link.points if p in frame.points) * self.mu
 
     @cached_property
     def sample_points(self) -> list[complex]:
         """Sample points along the links in the drawn positions."""
-        moving = self.plans.mechanism.links.values()
+        moving = self.mechanism.links.values()
         shapes = [shape for _, r in self.drawn_positions() for x in moving for shape in self.link_shapes(x, r)]
         return [z for shape in shapes for a, b in pairwise(shape) for z in _points_along(a, b)]
 

@@ -23,7 +23,7 @@ from render.paper.symbols import Marks, dot
 from render.views.arms import Arm, Arms, arm_length_mm, arm_steps_by_result, nonzero_terms, with_unseen_arm_names
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
-from render.views.plotted import Ends, group_names_by_place, plot_position, scheme_mu
+from render.views.plotted import Ends, group_names_by_place, length_of, plot_position, scheme_mu
 from render.views.senses import marks_with_labels
 
 
@@ -150,14 +150,14 @@ class Lever:
         plan = MOTION_PLAN if self.position.plans.at_rest else VELOCITY_PLAN
         plotted = plot_position(self.position)
         marks = list[Mark]()
-        lines = list[Ends]()
+        lines = []
         helping = ("false", "relative")  # not part of the loaded figure
         aside = {s.makes for s in plotted.drawing.program.steps if s.quantity_represented in helping}
         for s in plotted.drawn_segments(plan):
             if {*s.ends} & aside:
                 continue
             ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
-            if abs(ends[1] - ends[0]) > ZERO_VECTOR_MM:
+            if length_of(ends) > ZERO_VECTOR_MM:
                 marks.append(Line(ends, "thick" if s.start == POLE_LABEL else "thin", "plan"))
                 lines.append(ends)
         letters = (
@@ -176,8 +176,8 @@ class Lever:
     def forces_and_arms(self, lines: list[Ends]) -> Arms:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""
         drawing = self.position.drawing
-        marks = list[Mark]()
-        named = list[Label]()
+        marks = []
+        named = []
         drops = arm_steps_by_result(drawing)
         arms = Arms()
         arrows = Arrows(lines)

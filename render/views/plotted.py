@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
@@ -129,10 +130,10 @@ class Places:
     @cached_property
     def links_by_hinge(self) -> dict[str, list[str]]:
         """Points of more than one link, with those links: the hinges."""
-        held: dict[str, list[str]] = {}
+        held = defaultdict(list)
         for link in (self.mechanism.frame, *self.links):
             for point in self.mechanism.points_without_guide_centre(link):
-                held.setdefault(point, []).append(link.name)
+                held[point].append(link.name)
         return {point: owners for point, owners in held.items() if len(owners) > 1}
 
     def is_drawn(self, point: str) -> bool:
@@ -188,13 +189,18 @@ class Places:
         return perpendicular_foot(self.point_place(link.first_point), through, along), along
 
 
+def length_of(ends: Ends) -> float:
+    """The length of a line."""
+    return abs(ends[1] - ends[0])
+
+
 def lines_overlap(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
     """Whether two lines run side by side for more than a millimetre within a given distance; or are slightly inclined,
     and come closer than ``touch`` mm."""
     way = direction_between(*other)
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
     low = max(a.real, 0.0)
-    high = min(b.real, abs(other[1] - other[0]))
+    high = min(b.real, length_of(other))
     if high - low <= 1.0:
         return False
     slope = (b.imag - a.imag) / (b.real - a.real)
@@ -228,7 +234,7 @@ def link_outline(places: list[complex]) -> list[complex]:
             unique.append(z)
     if len(unique) < 3:
         return unique
-    a, b = max(((p, q) for p in unique for q in unique), key=lambda e: abs(e[1] - e[0]))
+    a, b = max(((p, q) for p in unique for q in unique), key=length_of)
     way = direction_between(a, b)
     if all(abs(((z - a) * way.conjugate()).imag) < SAME_PLACE_MM for z in unique):
         return [a, b]

@@ -21,7 +21,15 @@ from render.paper.symbols import Marks, dot
 from render.paper.typeset import plain_text
 from render.views import detail, remark_texts
 from render.views.hatching import hatch_triangles
-from render.views.plotted import SHARED_LABEL_MM, Clusters, Ends, Plotted, group_names_by_place, shift_clear_of_others
+from render.views.plotted import (
+    SHARED_LABEL_MM,
+    Clusters,
+    Ends,
+    Plotted,
+    group_names_by_place,
+    length_of,
+    shift_clear_of_others,
+)
 from render.views.senses import break_lines_at_texts
 from render.views.strings import string_and_ray_lines
 from render.views.traces import construction_traces
@@ -177,7 +185,7 @@ class Polygon:
             thick = self.is_result((start, end), names)
             moves = not self.is_rate_plan and (start, end) not in terms
             placed = ends
-            if moves and abs(ends[1] - ends[0]) >= detail.LEAST_READABLE_VECTOR_MM:
+            if moves and length_of(ends) >= detail.LEAST_READABLE_VECTOR_MM:
                 placed = shift_clear_of_others(
                     ends,
                     self.places.values(),
@@ -270,7 +278,7 @@ class Polygon:
     def label_with_value(self, label: Label) -> Label:
         """The label of a vector with its value."""
         assert isinstance(label.at, tuple)
-        size = abs(label.at[1] - label.at[0]) / self.plotted.plan_mu(self.plan)
+        size = length_of(label.at) / self.plotted.plan_mu(self.plan)
         sign = " = " if " = " in label.text else " "
         return replace(label, text=f"{label.text}{sign}{read_off_text(size, self.naming.lang)}")
 

@@ -9,16 +9,26 @@ from functools import cached_property
 from itertools import pairwise
 
 from planes.scene.mechanism import FRAME, Link
+from planes.scene.ranges import Interval
 from planes.solving import Position
 from planes.words.names import POLE_LABEL, NameTuple, guide_end_letters
 from planes.words.naming import Naming
 from render.labels import Label
+from render.labels.candidates import Size
 from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.paper.style import HINGE_RADIUS_MM, INNER_BLOCK_SIZE_MM, OUTER_BLOCK_SIZE_MM, SLIDER_BLOCK_SIZE_MM
 from render.paper.symbols import Marks
 from render.views.hinges import base_angle
-from render.views.plotted import SAME_PLACE_MM, Ends, Places, direction_deg, link_outline, nearest_outline_point
+from render.views.plotted import (
+    SAME_PLACE_MM,
+    Ends,
+    Places,
+    direction_deg,
+    length_of,
+    link_outline,
+    nearest_outline_point,
+)
 from render.views.round_guides import round_slider_marks
 from render.views.senses import driver_arrows, marks_with_labels
 
@@ -130,7 +140,7 @@ class Scheme:
                     Label(self.naming.lettered_point(letter), end, 3.5, name=f"guide {link.slides.guide}")
                 )
 
-    def block_size(self, link: Link) -> tuple[float, float]:
+    def block_size(self, link: Link) -> Size:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
         if (other := self.slider_in_same_place(link)) is None:
             return SLIDER_BLOCK_SIZE_MM
@@ -198,7 +208,7 @@ class Scheme:
         self.add_rigid_joint(through + reach[0] * along, ends, off[:1])
         return [] if on else [through + reach[0] * along]
 
-    def name_moving_guide(self, name: str, ends: tuple[complex, complex]) -> None:
+    def name_moving_guide(self, name: str, ends: Ends) -> None:
         """The letter of a guide on a link that no point has, at its free end: n of n-n, D of AD."""
         letters = re.findall(r"[A-Z]\d*", name) if re.fullmatch(r"([A-Z]\d*)+", name) else [*guide_end_letters(name)]
         own = [p for p in letters if self.places.is_drawn(p)]
@@ -217,7 +227,7 @@ class Scheme:
             nearer = max(far, key=lambda end: math.cos(cmath.phase((end - z) / (joint - z))))
             self.bars += symbols.rigid_joint_gusset(z, nearer, joint)
 
-    def rod_range(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
+    def rod_range(self, reach: list[float], stops: list[float]) -> Interval:
         """From the place where the link holds the guide to beyond its sliders; no farther on the holding side."""
         low = min(*reach, *stops)
         high = max(*reach, *stops)
@@ -232,7 +242,7 @@ class Scheme:
         clear = 0.0
         at: complex | Ends | None = None
         if len(outline) > 1:
-            at = max(pairwise((*outline, outline[0])), key=lambda e: abs(e[1] - e[0]))
+            at = max(pairwise((*outline, outline[0])), key=length_of)
         elif link.slides:
             foot, along = self.places.foot_on_guide(link)
             long, wide = self.block_size(link)

@@ -15,7 +15,7 @@ MOST_SPECIAL_POINT_DISTANCE_MM = 60.0  # a special point farther from every poin
 def special_point_marks(position: Position, naming: Naming) -> Labelled:
     """The lines of leads extended to their special points, with the letters of these."""
     marks = list[Mark]()
-    named = list[Label]()
+    named = []
     drawing = position.drawing
     points = [complex(drawing[m]) for p in position.plans.points if (m := scheme_mark(p)) in drawing]
     for step in drawing.program.steps:

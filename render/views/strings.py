@@ -21,8 +21,8 @@ STRING_LINE_STYLES = {
 def string_and_ray_lines(drawing: Drawing, figure: StaticsFigure | None, plan: PlanId) -> Labelled:
     """The lines of a plan, with the letters of strings and rays; on a force plan the pole has its letter, too."""
     marks = list[Mark]()
-    named = list[Label]()
-    poles = dict[complex, Label]()
+    named = []
+    poles = {}
     for s in figure.strokes if figure else ():
         if s.plan == plan and s.start in drawing and s.end in drawing:
             start = complex(drawing[s.start])

@@ -10,7 +10,7 @@ from itertools import zip_longest
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.force.loads import name_of_force
 from planes.plans.structures.figure import Strain, member_strains
-from planes.scene.vector_equations import VectorEquation
+from planes.scene.vector_equations import VectorEquations
 from planes.solving import Position
 from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_equation_rows
@@ -27,6 +27,7 @@ from render.views.formulas import ROUNDING_NOISE_MM
 from render.views.plotted import plot_position
 from render.views.table_grid import Row, TableGrid, fold_long_table
 
+Tabled = View | None  # none where a table would be empty
 VECTOR_NAME_PATTERN = re.compile(r"[^\W\d]+_\w+(?:\^[ntkr])?")
 
 
@@ -38,10 +39,10 @@ class Tables:
     naming: Naming
     letter: float = 3.5
     parameters: NumbersByName = field(default_factory=dict)
-    once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
-    own: tuple[tuple[VectorEquation, ...], str] = ((), "")  # the user's equations, and their file
+    once: Callable[[tuple[object, ...], Callable[[], View]], Tabled] = lambda key, make: make()
+    own: tuple[VectorEquations, str] = ((), "")  # the user's equations, and their file
 
-    def vectors_table(self) -> View | None:
+    def vectors_table(self) -> Tabled:
         """Length on its plan, magnitude and direction of every vector in a scene of vectors."""
         mu = plot_position(self.position).plan_mu
         rows = []
@@ -62,7 +63,7 @@ class Tables:
             "vectors-table", "measured", ["", self.sheet_word("mm"), "", "", self.sheet_word("angle")], rows
         )
 
-    def values_table(self) -> View | None:
+    def values_table(self) -> Tabled:
         """The values computed from the vectors."""
         noise = ZERO_RESULT_RATIO * largest_equilibrium_result(self.position)
         rows = []
@@ -77,7 +78,7 @@ class Tables:
         """The state of every member of a truss, tension or compression, by the name of its force."""
         return member_strains(self.position.plans.figure, self.position.drawing)
 
-    def members_table(self) -> View | None:
+    def members_table(self) -> Tabled:
         """Length on the plan, force and state of every member of a truss."""
         values = self.position.of("values")
         rows = []
@@ -106,7 +107,7 @@ class Tables:
 
     def table_view(
         self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = (), spanned: bool = False
-    ) -> View | None:
+    ) -> Tabled:
         """A table as a view, or None without rows; its ``title`` by the word; ``notes`` are beneath it."""
         if not rows:
             return None
@@ -135,11 +136,11 @@ class Tables:
         )
         return [t for t in tables if t]
 
-    def force_tables(self) -> tuple[View | None, ...]:
+    def force_tables(self) -> tuple[Tabled, ...]:
         """The tables of the force calculation."""
         return self.reactions_table(), self.edges_table(), self.friction_table(), self.check_table()
 
-    def equations_table(self) -> View | None:
+    def equations_table(self) -> Tabled:
         """The user's equations: the result of each, or whether it closes and what would close it."""
         p = self.position
         told_rows = own_equation_rows(p, self.own, self.naming.lang)
@@ -149,7 +150,7 @@ class Tables:
         ]
         return self.table_view("own-equations", "own_equations", ["", ""], rows)
 
-    def given_table(self) -> View | None:
+    def given_table(self) -> Tabled:
         """The data of the scene, each item once."""
         given = GivenTable(self.position, self.naming, self.parameters)
         return self.table_view(
@@ -160,12 +161,12 @@ class Tables:
             list(given.load_law_formulas()),
         )
 
-    def plan(self, plan: PlanId) -> View | None:
+    def plan(self, plan: PlanId) -> Tabled:
         """The measurements on a plan: vector, segment, mm, value."""
         rows = [row for _, row in self.measurement_rows(plan)]
         return self.table_view(f"{plan}-table", f"by_{plan}", self.measurement_head(plan), rows)
 
-    def rate_tables(self, joined: bool) -> list[View | None]:
+    def rate_tables(self, joined: bool) -> list[Tabled]:
         """The measurements on the velocity and acceleration plans: a table each, or ``joined`` with the vectors of one
         point, or of one link, side by side."""
         plans = [plan for plan in (VELOCITY_PLAN, ACCELERATION_PLAN) if any(self.measurement_rows(plan))]
@@ -198,7 +199,7 @@ class Tables:
                 [self.naming.lettered_vector(vector), ends, self.tenths_text(measures["mm"]), value],
             )
 
-    def links(self) -> View | None:
+    def links(self) -> Tabled:
         """ω and ε of every link with their senses; empty if the driver is at rest."""
         rows = []
         links = self.position.rows("links")
@@ -210,7 +211,7 @@ class Tables:
         head = [self.sheet_word("column_link"), f"ω, {self.sheet_word('rad/s')}", f"ε, {self.sheet_word('rad/s²')}"]
         return self.table_view("links", "links_table", head, rows)
 
-    def transfers_table(self) -> View | None:
+    def transfers_table(self) -> Tabled:
         """Transfer functions by segments of the velocity plan."""
         rows = list(TransferFunctions(self.position, self.naming).transfer_rows())
         return self.table_view("transfers", "of_transfers", ["", "", "", ""], rows)
@@ -222,7 +223,7 @@ class Tables:
             return shown
         return shown + ("↺" if value > 0 else "↻")
 
-    def reactions_table(self) -> View | None:
+    def reactions_table(self) -> Tabled:
         """Length on its force plan, magnitude and direction of every reaction, and a slider's arm, if any force
         acts."""
         if self.is_unloaded:
@@ -244,7 +245,7 @@ class Tables:
         head, *rows = [row[: 5 if armed else 4] for row in table]
         return self.table_view("reactions", "reactions_table", head, rows, [convention])
 
-    def edges_table(self) -> View | None:
+    def edges_table(self) -> Tabled:
         """The forces at both edges of a slider's face, where its length is given."""
         rows = [
             [self.naming.lettered_vector(f.quantity.name), self.result_text(f.number)]
@@ -252,7 +253,7 @@ class Tables:
         ]
         return self.table_view("edges", "of_edges", ["", self.sheet_word("N")], rows)
 
-    def friction_table(self) -> View | None:
+    def friction_table(self) -> Tabled:
         """The normal force, the friction and its power in every pair; in a hinge the couple of friction."""
         rubbing = self.position.of("friction").values()
         rows = [
@@ -271,7 +272,7 @@ class Tables:
         """Whether the mechanism has no loads: all reactions are zero."""
         return all(self.result_text(abs(r.vector)) == "0" for r in self.position.of("reactions").values())
 
-    def reaction_lengths_mm(self) -> dict[str, float]:
+    def reaction_lengths_mm(self) -> NumbersByName:
         """The length of each reaction on the force plan that shows it, or its opposite, mm."""
         plotted = plot_position(self.position)
         lengths = dict[str, float]()
@@ -283,7 +284,7 @@ class Tables:
                         lengths.setdefault(key, mm)
         return lengths
 
-    def check_table(self) -> View | None:
+    def check_table(self) -> Tabled:
         """The balancing moment (or force), Zhukovsky's, and the difference in per cent, if any force acts."""
         p = self.position
         rows = []

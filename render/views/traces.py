@@ -7,7 +7,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.plans.scales import ZERO_VECTOR_MM
 from planes.words.names import NamePair, PlanId
 from render.paper.marks import Line
-from render.views.plotted import Ends, Plotted
+from render.views.plotted import Ends, Plotted, length_of
 
 Triangle = tuple[complex, complex, complex]
 
@@ -17,7 +17,7 @@ def construction_traces(
 ) -> tuple[list[Line], list[Triangle]]:
     """Construction lines of a plan with ``drawn`` vectors between those marks, and the triangles to be hatched."""
     sides = list(_lines_to_false_points(plotted, plan))
-    triangles = list[Triangle]()
+    triangles = []
     for step in plotted.drawing.program.steps:
         if step.plan != plan or not isinstance(step, (Similar, Image)):
             continue
@@ -31,7 +31,7 @@ def construction_traces(
         sides += [(a, b)] * (tuple(corners[::2]) not in drawn) + [(a, x), (x, b)] * (not flat)
         if not flat and step.quantity_represented != "false":
             triangles.append((a, x, b))
-    return [Line(ends, "thin", "construction") for ends in sides if abs(ends[1] - ends[0]) > ZERO_VECTOR_MM], triangles
+    return [Line(ends, "thin", "construction") for ends in sides if length_of(ends) > ZERO_VECTOR_MM], triangles
 
 
 def _lines_to_false_points(plotted: Plotted, plan: PlanId) -> Iterator[Ends]:

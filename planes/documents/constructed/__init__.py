@@ -4,12 +4,12 @@ A module of this folder is a format, named by the suffix of its file: it has ``w
 """
 
 import pkgutil
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 
-from planes.documents.sheets import DrawnPosition
+from planes.documents.sheets import DrawnPosition, DrivePositions
 from planes.drafting.program import Program
 from planes.drafting.steps import MarkStep
 from planes.plans import Plans
@@ -130,7 +130,7 @@ def format_suffixes() -> NameTuple:
     return tuple(f".{m.name}" for m in pkgutil.iter_modules(__path__) if m.name[0] != "_")
 
 
-def live_figure(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> LiveFigure:
+def live_figure(scene: Scene, view: str | None, values: DrivePositions, lang: Lang) -> LiveFigure:
     """The scheme with the plan named by a view, or with all."""
     drawn = DrawnPosition(replace(scene, find=None), values, lang)
     position = drawn.position_at_sizes(Sizes())
@@ -147,9 +147,7 @@ def live_figure(scene: Scene, view: str | None, values: Iterable[float] | None, 
     return LiveFigure(position, plans, composer.naming, titles, scene.title.get(lang, ""), lang)
 
 
-def draw_constructed(
-    scene: Scene, view: str | None, values: Iterable[float] | None, output: str, lang: Lang
-) -> NameTuple:
+def draw_constructed(scene: Scene, view: str | None, values: DrivePositions, output: str, lang: Lang) -> NameTuple:
     """Write the construction into a file of its format; returns sentences about its limitations."""
     suffix = Path(output).suffix.lower()
     format_ = import_module(f"{__name__}.{suffix[1:]}")

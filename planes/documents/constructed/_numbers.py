@@ -1,7 +1,6 @@
 """The numbers of a construction: the free ones of the scene, and formulas for those computed from them."""
 
 import math
-from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
@@ -9,9 +8,10 @@ from planes.batch.plain_tape import PlainRecording
 from planes.batch.symbols import Num, Vec, place_of_number, record_number
 from planes.batch.tape import Tape
 from planes.documents.constructed import LiveFigure
-from planes.drafting.tools import Thing, Things
+from planes.drafting.tools import Env, Things
 from planes.geometry.arithmetic import Point, Real
 from planes.lesson.dimensions import FreeNumbers
+from planes.words.names import NamesByName, NumbersByName
 from render.files.ggb import geogebra_number
 
 MOST_FORMULA_LETTERS = 2000  # letters of a formula: a number with a longer one stays a number
@@ -45,7 +45,7 @@ class GivenNumbers:
         self.given: Things = {n: things[n] for n in figure.shown_program.given_names}
 
     @cached_property
-    def free_values(self) -> dict[str, float]:
+    def free_values(self) -> NumbersByName:
         """Every free number, for a place both coordinates, by its name in the program."""
         return {n: v for n, v in self._values_of_free.items() if n in self._used_free_numbers}
 
@@ -58,7 +58,7 @@ class GivenNumbers:
         return None
 
     @cached_property
-    def _values_of_free(self) -> dict[str, float]:
+    def _values_of_free(self) -> NumbersByName:
         if self._free_numbers:
             return self._free_numbers.values_in_scene
         flat: dict[str, float] = {}
@@ -68,7 +68,7 @@ class GivenNumbers:
         return flat
 
     @cached_property
-    def _tape(self) -> tuple[Tape, dict[str, Thing]]:
+    def _tape(self) -> tuple[Tape, Env]:
         tape = Tape()
         return tape, self._free_numbers.givens_on_tape(tape, Trigonometry()) if self._free_numbers else {}
 
@@ -93,7 +93,7 @@ class GivenNumbers:
             return [thing.real, thing.imag]
         return [thing]
 
-    def coordinate_formulas(self, name: str, labels: Mapping[str, str]) -> list[str]:
+    def coordinate_formulas(self, name: str, labels: NamesByName) -> list[str]:
         """A computed number, or both coordinates of a place, by the ``labels`` of the free ones."""
         tape = self._tape[0]
         home: Any = self.given[name]
@@ -105,7 +105,7 @@ class GivenNumbers:
         return formulas
 
 
-def tape_formula(tape: Tape, place: int, labels: Mapping[str, str]) -> str:
+def tape_formula(tape: Tape, place: int, labels: NamesByName) -> str:
     """A number of a tape as a formula, "" where it uses an operation without a formula here."""
     op, args = tape.ops[place]
     if op == "const":

@@ -11,7 +11,7 @@ from planes.drafting import steps as s
 from planes.drafting.steps import crossings as c
 from planes.drafting.steps import reckoning as r
 from planes.words.frozen import field, frozen
-from planes.words.names import PlanId
+from planes.words.names import NamesByName, PlanId
 from render.files.ggb import HIDDEN_ASPECT, PALE_COLOUR, Aspect, GeogebraFile, Kind
 
 Labels = dict[str, str]
@@ -96,7 +96,7 @@ class Translator:
                     yield name, [n[mark] for mark in marks]
         yield from self.composed_placeholders(step).items()
 
-    def composed_placeholders(self, step: s.Step) -> dict[str, str]:
+    def composed_placeholders(self, step: s.Step) -> NamesByName:
         """Parts of a text that are more than a label."""
         n = self.labels
         match step:

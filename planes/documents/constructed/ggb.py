@@ -7,6 +7,7 @@ from planes.documents.constructed._numbers import GivenNumbers
 from planes.documents.constructed._steps import Labels, Translator
 from planes.drafting.steps import MarkStep, Step
 from planes.geometry.plane import bounding_corners
+from planes.scene.ranges import Interval
 from planes.words import say
 from planes.words.names import (
     POLE_LABEL,
@@ -116,7 +117,7 @@ def _write_given_numbers(figure: LiveFigure, numbers: GivenNumbers, made: Geogeb
             made.add_formula("numeric", labels[own], text)
 
 
-def _slider_range(name: str, value: float, drives: bool) -> tuple[float, float] | None:
+def _slider_range(name: str, value: float, drives: bool) -> Interval | None:
     """The range of a number's slider, None for a number without one."""
     if letter_of(name) == "side":
         return None

@@ -65,6 +65,9 @@ class Step:
         raise NotImplementedError
 
 
+Steps = tuple[Step, ...]
+
+
 @frozen
 class MarkStep(Step):
     """A step that makes a mark."""

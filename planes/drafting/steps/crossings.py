@@ -3,7 +3,7 @@
 from planes.drafting.steps import MarkStep, Reads, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
-from planes.geometry.arithmetic import Point, Real
+from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
 from planes.words.names import Mark
 
@@ -21,7 +21,7 @@ class Cross(MarkStep):
     same = "coincident"
     needs = marks("start", "other") + directions("along", "across")
 
-    def crossing_and_sharpness(self, env: Env, tool: Tool) -> tuple[Point, Real, Real]:
+    def crossing_and_sharpness(self, env: Env, tool: Tool) -> plane.Met:
         """Where the lines cross, how sharply, and how far apart they are there if they are parallel."""
         u = tool.transfer_direction(env[self.along])
         w = tool.transfer_direction(env[self.across])

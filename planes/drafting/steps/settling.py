@@ -2,7 +2,7 @@
 
 from functools import cached_property, reduce
 
-from planes.drafting.steps import Reads, Step, values
+from planes.drafting.steps import Reads, Step, Steps, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
@@ -29,7 +29,7 @@ class Settle(Step):
     the results of earlier plans, until they agree. It fails where they do not converge. The plans are drawn without the
     errors of hand and ruler that their inputs have."""
 
-    steps: tuple[Step, ...]
+    steps: Steps
     fed: tuple[Fed, ...]
     kind = "value"
 
@@ -43,7 +43,7 @@ class Settle(Step):
         return self._names_read_by_plan
 
     @cached_property
-    def _repeated_steps(self) -> tuple[Step, ...]:
+    def _repeated_steps(self) -> Steps:
         """The steps that every plan repeats."""
         changed = {f.makes for f in self.fed}
         redrawn = []
@@ -98,7 +98,7 @@ class Settle(Step):
         for fed, size in zip(self.fed, sizes, strict=True):
             things[fed.makes] = things[fed.factor] * size
 
-    def _draw_and_read_sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> Reals:
+    def _draw_and_read_sizes(self, steps: Steps, things: Env, tool: Tool) -> Reals:
         """Draw a plan; returns its sizes."""
         for step in steps:
             things[step.makes] = tool.draw(step, things)
