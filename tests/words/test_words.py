@@ -276,7 +276,7 @@ def test_a_bad_mechanism_in_both_languages(text, old, new, words):
 
 @pytest.mark.parametrize("text", BAD_EQUATIONS)
 def test_a_bad_equation_in_both_languages(text):
-    assert refused(read_equation, text).startswith(f"{text}: ")
+    assert refused(read_equation, text, float, 1).startswith(f"{text}: ")
 
 
 @pytest.mark.parametrize(("vectors", "equation", "words"), BAD_PLANS_OF_VECTORS)
