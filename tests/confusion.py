@@ -111,7 +111,7 @@ def easels() -> Iterator[Easel]:
 def easel(sample: str, plan: str) -> Easel:
     """A plan of a sample, at the scales the checker knows."""
     b = bench(sample, plan)
-    return Easel(sample, plan, b.said_mu, b.given["mu_velocity"], b.given["mu_acceleration"])
+    return Easel(sample, PlanId.read(plan), b.said_mu, b.given["mu_velocity"], b.given["mu_acceleration"])
 
 
 @dataclass

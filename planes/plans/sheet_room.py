@@ -1,7 +1,7 @@
 """How large the plans of a mechanism can be on its two sheets: figures by their extents, texts by what they list.
 
-Nothing is laid out here. A format holds columns of figures as long as they fill no more than two thirds of it. The
-areas were measured on the composed sheets of 68 mechanisms, each at three sizes of plans: the estimate is within 5 %
+Nothing is laid out here. A format holds its figures in columns if they fill no more than two thirds of it. The areas
+were measured on the composed sheets of 68 mechanisms, each at three sizes of plans: the estimate is within 5 %
 (1 σ) of the first sheet, and within 10 % of the second.
 """
 
@@ -81,7 +81,7 @@ class SheetRoom:
         return [sheet.area_mm2(scales) for sheet in (self.first_sheet, self.second_sheet)]
 
     @cached_property
-    def first_sheet(self) -> "SheetContents":
+    def first_sheet(self) -> SheetContents:
         """The scheme over a turn, the rate plans, their equations, diagrams and tables."""
         plans = [p for p in self.plans.plan_names if p in RATE_PLANS]
         listed = sum(len(self.plans.segments_on(p)) for p in plans)
@@ -90,7 +90,7 @@ class SheetRoom:
         return SheetContents(figures, FIRST_SHEET_TEXT_MM2 + RATE_VECTOR_MM2 * listed)
 
     @cached_property
-    def second_sheet(self) -> "SheetContents":
+    def second_sheet(self) -> SheetContents:
         """The loaded scheme, the lever, the force polygons, groups with their forces, and tables."""
         plans = self.plans.force_plans
         if not plans:
@@ -101,10 +101,10 @@ class SheetRoom:
         listed = sum(len(self.plans.segments_on(p)) for p in plans)
         return SheetContents(figures, SECOND_SHEET_TEXT_MM2 + FORCE_VECTOR_MM2 * listed)
 
-    def _figure_of_plan(self, plan: PlanId, margin: float) -> "FigureBox":
+    def _figure_of_plan(self, plan: PlanId, margin: float) -> FigureBox:
         return FigureBox(plan, plan_width_and_height(self.drawing, plan), margin)
 
-    def _figure_of_links(self, links: NameTuple, margin: float) -> "FigureBox":
+    def _figure_of_links(self, links: NameTuple, margin: float) -> FigureBox:
         """A figure of some links at the scale of the scheme."""
         known = self.plans.mechanism.links
         names = {scheme_mark(p) for x in links if x in known for p in known[x].points}
