@@ -282,16 +282,13 @@ class Diagrams:
         else:
             first = round(self.angles[0], 6) % FULL_TURN_DEG if turning else self.angles[0]
             text = f"{letter}_{{0}} = {value_with_unit(number_text(first, lang), key, lang)},  {text}"
-        lines = [text, *self.constant_rates_text()]
-        middle = complex(self.range_length / 2, level)
-        places = [middle - 2j * self.letter * (k + 1) for k in range(len(lines))]
-        return [*texts, *(Text(text, z, self.letter, "middle") for text, z in zip(lines, places, strict=True))]
+        place = complex(self.range_length / 2, level - 2 * self.letter)
+        return [*texts, Text(text + self.constant_rates_text(), place, self.letter, "middle")]
 
-    def constant_rates_text(self) -> list[str]:
+    def constant_rates_text(self) -> str:
         """That both rates of the driver are those given in every position, where the second is not the derivative of
         the first: nor are the curves."""
         drive = self.plans.drive
         if self.to_read or not drive.velocity or not drive.acceleration:
-            return []
-        names = ", ".join(map(self.naming.lettered_vector, drive.motion_names[1:]))
-        return [say("constant_rates", self.naming.lang, names=names)]
+            return ""
+        return f";  {', '.join(map(self.naming.lettered_vector, drive.motion_names[1:]))} = const"
