@@ -25,7 +25,7 @@ from planes.solving.nearest import nearest_working_position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.frozen import frozen, replace
-from planes.words.names import SCHEME_PLAN, NumbersByName
+from planes.words.names import LEVER_PLAN, SCHEME_PLAN, NumbersByName
 from render.paper.hues import colour_vectors
 from render.paper.marks import using_face
 from render.paper.outlines import face_of_scene
@@ -131,7 +131,7 @@ class DrawnPosition:
     @property
     def has_open_scale(self) -> bool:
         """Whether the scene leaves the μ of any plan open."""
-        return any(self.scene.mu.get(p.kind) is None for p in self.plans_and_wanted[0].plan_names if p != "lever")
+        return any(self.scene.mu.get(p.kind) is None for p in self.plans_and_wanted[0].plan_names if p != LEVER_PLAN)
 
     def position_at_sizes(self, sizes: Sizes) -> Position:
         """The position at the scene's scales, or smaller where no paper holds its plans at these, each drawn once.

@@ -9,7 +9,7 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real, Shape, Truth
 from planes.words import Phrase, Told
 from planes.words.errors import PlanFailure
 from planes.words.lettering import line_in_words, name_in_words
-from planes.words.names import UNIT_OF_PLAN
+from planes.words.names import UNIT_OF_PLAN, plan_of_scale
 
 FAILED_MARK_PLACE = complex("nan+nanj")  # placeholder for a failed mark of many drawings
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
@@ -131,5 +131,5 @@ def names_for_step_sentence(step: Step) -> dict[str, Told]:
         if along in named and start in named:
             words[line] = line_in_words(named[along], getattr(step, start))
     if "mu" in named:
-        words["unit"] = Phrase(UNIT_OF_PLAN.get(named["mu"][len("mu_") :], "units"))
+        words["unit"] = Phrase(UNIT_OF_PLAN.get(plan_of_scale(named["mu"]), "units"))
     return words

@@ -1,7 +1,7 @@
 """How large the plans of a drawing are: boxes around their marks."""
 
 import cmath
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from statistics import median
 
 from planes.drafting.drawing import Drawing, draw_until_failure
@@ -12,8 +12,9 @@ from planes.words.names import POLE_LABEL, SCHEME_PLAN, PlanId
 Size = tuple[float, float]
 """The width and the height of a figure."""
 TURN_POSITIONS = 12
-MOST_GROWTH_RATIO = 3.5  # of the reach in the course of a full turn: beyond, far positions are not drawn
-DRAWN_REACH_RATIO = 1.3  # of the usual reach: positions farther off are not drawn then
+MOST_GROWTH_RATIO = 3.5  # largest growth of a scheme in the course of a turn, relative to its usual size
+EXTREME_REACH_RATIO = 1.02  # how much farther an extreme position may reach than the sampled positions
+DRAWN_REACH_RATIO = 1.3  # and the limit if it grows beyond that: positions farther off are not drawn
 
 
 def plan_extent(drawing: Drawing, plan: PlanId) -> float:
@@ -47,11 +48,17 @@ def size_over_turn(program: Program, given: Things, drive: str, step: float, clo
     reaches = [max((abs(z - places[0]) for z in places), default=0.0) for places in placed]
     if not reaches:
         return 0.0, 0.0
-    usual = median(reaches)
-    most = max(reaches)
-    if not closed or len(placed) < TURN_POSITIONS or most >= MOST_GROWTH_RATIO * usual:
-        most = DRAWN_REACH_RATIO * usual
+    most = most_drawn_reach(reaches, closed and len(placed) >= TURN_POSITIONS)
     return box_size(z for places, reach in zip(placed, reaches, strict=True) if reach <= most for z in places)
+
+
+def most_drawn_reach(reaches: Sequence[float], closed: bool) -> float:
+    """The largest of the reaches of a scheme that is drawn, since near a dead point a point may be anywhere; the
+    positions make a whole turn if they are ``closed``."""
+    usual = median(reaches)
+    if closed and max(reaches) < MOST_GROWTH_RATIO * usual:
+        return EXTREME_REACH_RATIO * max(reaches)
+    return DRAWN_REACH_RATIO * usual
 
 
 def _positions_on_side(scheme: Program, given: Things, drive: str, step: float) -> Iterator[list[complex]]:

@@ -21,6 +21,7 @@ from planes.words.names import (
     LEVER_PLAN,
     MOTION_PLAN,
     NO_PLAN,
+    SCHEME_PLAN,
     VELOCITY_PLAN,
     NumbersByName,
     PlanId,
@@ -89,8 +90,10 @@ def plan_scales(
     ``fit_mm`` is the size of each kind of plan, if not as large as the sheets allow.
     """
     choice = ScaleChoice.of(plans, said, given)
-    asked_of = ScaleChoice.of(plans.uncut, said, given) if plans.uncut else choice
-    chosen = choice.scales_at(fit_mm or asked_of.largest_sizes)
+    if not fit_mm:
+        entire = ScaleChoice.of(plans.uncut, said, given) if plans.uncut else choice
+        fit_mm = entire.largest_sizes
+    chosen = choice.scales_at(fit_mm)
     if choice.failure:  # give it in millimetres of the paper
         draw_program(plans.program, {**choice.given, **chosen})
         raise choice.failure
@@ -104,7 +107,7 @@ def plan_sizes(
     given: Mapping[str, object] | None = None,
 ) -> NumbersByName:
     """The size of each kind of plan: that for the format named for the sheets of a scene, or the largest with which the
-    sheets of a mechanism keep their formats, however little of it is drawn."""
+    sheets of a mechanism should keep their formats, however little of it is drawn."""
     return plan_sizes_on_format(sheet) or ScaleChoice.of(plans.uncut or plans, said, given).largest_sizes
 
 
@@ -127,7 +130,7 @@ class ScaleChoice:
 
     @cached_property
     def largest_sizes(self) -> NumbersByName:
-        """The largest size of each kind of plan with which the sheets of a mechanism keep their formats."""
+        """The largest size of each kind of plan with which the sheets of a mechanism should keep their formats."""
         if self.plans.has_mechanism and self.open_plan_sizes_si:
             return SheetRoom(self.plans, self.drawing).largest_sizes(PLAN_FIT_MM, self.scales_at)
         return PLAN_FIT_MM
@@ -146,7 +149,7 @@ class ScaleChoice:
         for plan, leader in scale_leaders(sizes, fit_mm).items():
             mm = fit_mm[plan.kind]
             chosen[plan.mu_name] = mu = largest_fitting_scale(plan, sizes[leader], mm)
-            if plan == "position" and mm >= PLAN_FIT_MM[plan] and mu * self._shortest_link < LEAST_LINK_MM:
+            if plan == SCHEME_PLAN and mm >= PLAN_FIT_MM[plan] and mu * self._shortest_link < LEAST_LINK_MM:
                 larger = max(mm, SHORT_LINK_SIZE_RATIO * PLAN_FIT_MM[plan])
                 chosen[plan.mu_name] = largest_fitting_scale(plan, sizes[leader], larger)
         if LEVER_PLAN in self.plans.plan_names:

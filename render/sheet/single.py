@@ -58,7 +58,7 @@ def mechanism_view_makers(
     plotted, links_apart = plot_with_single_links(position)
     bare, loaded, tables = Project(composer), ForceSheet(composer), composer.make_tables(position, TABLE_LETTER_MM)
     shown = drawn_plans(plotted, position)
-    rates, forces = (tuple(p for p in shown if (p.is_force) is of_forces) for of_forces in (False, True))
+    rates, forces = (tuple(p for p in shown if p.is_force is of_forces) for of_forces in (False, True))
     makers: dict[str, Callable[[], View | None]] = {
         "position": lambda: composer.scheme_view(position),
         "positions": lambda: project().many_positions_view(position),

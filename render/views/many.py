@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import groupby, pairwise
-from statistics import median
 
 import numpy as np
 
 from planes.geometry.plane import perpendicular_foot
 from planes.plans import Plans
+from planes.plans.extents import most_drawn_reach
 from planes.scene.mechanism import FRAME, Link, Mechanism, PlacesByName
 from planes.words import Lang, say
 from planes.words.frozen import frozen
@@ -22,12 +22,9 @@ from render.views.dimensions import Size, dimension_text, stroke_dimension
 from render.views.plotted import SAME_PLACE_MM, group_names_by_place, joint_stroke, link_outline
 from render.views.senses import POSITION_NAME_PREFIX
 
-MOST_GROWTH_RATIO = 3.5  # largest growth of a scheme in the course of a turn, relative to its usual size
 SHARED_NUMBER_DISTANCE_MM = 2.0  # places closer than this are numbered together
 SAMPLES_PER_LINE = 10  # sample points of a line
 STROKE_CLEARANCE_MM = 16.0  # clear distance of a stroke from everything else
-EXTREME_REACH_RATIO = 1.02  # how much farther an extreme position may reach than the sampled positions
-DRAWN_REACH_RATIO = 1.3  # and the limit if it grows beyond that: positions farther off are not drawn
 
 
 @frozen
@@ -71,12 +68,7 @@ class ManyPositions:
     def most_reach(self) -> float:
         """Largest distance of a drawn point from the driver's pair: near a dead point it may be anywhere."""
         sizes = [self.position_reach(r) for r in self.turn if r]
-        if not sizes:
-            return 0.0
-        usual = median(sizes)
-        if self.is_full_turn and max(sizes) < MOST_GROWTH_RATIO * usual:
-            return EXTREME_REACH_RATIO * max(sizes)
-        return DRAWN_REACH_RATIO * usual
+        return most_drawn_reach(sizes, self.is_full_turn) if sizes else 0.0
 
     @property
     def is_full_turn(self) -> bool:
